@@ -1,0 +1,61 @@
+// Regularised unidirectional flow as a problem for Newton.
+//
+// Find w minimising ∫ D(|grad w|, p) - f w, D = ∫₀^|γ| η s ds: a convex energy whose gradient is the
+// residual R = ∫ η grad w · grad v - ∫ f v. Pressure is known, so it only enters as data.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "common/flow/cross_section.hpp"
+#include "common/rheology/rheology.hpp"
+#include "common/solve/newton.hpp"
+
+namespace talus::flow {
+
+/// The term η'(|γ|) of the tangent: kept, dropped (frozen viscosity: Picard), or with the wrong sign.
+/// Only `full` is Newton; the others exist to be looked at.
+enum class TangentTerm { full, frozen, wrong_sign };
+
+template <int Dim>
+class ShearFlow {
+ public:
+  using Space = CrossSection<Dim>;
+  using Vector = typename Space::Vector;
+  using State = solve::CompensatedVector;
+
+  /// `space` must outlive the problem; body force in units of φρg.
+  ShearFlow(Space& space, rheology::Rheology rheology,
+            const std::function<double(const Vector&)>& total_pressure,
+            const std::function<double(const Vector&)>& body_force);
+
+  const rheology::Rheology& rheology() const { return rheology_; }
+  void set_lambda_r(double lambda_r);
+  void set_tangent_term(TangentTerm term) { tangent_term_ = term; }
+  const Eigen::VectorXd& load() const { return load_; }
+
+  /// Residual, its magnitude and its computed round-off at every node; keeps the point tangents.
+  const solve::Residual& evaluate(const State& w);
+  /// Solves K x = right_hand_side, K the tangent at the state last evaluated.
+  bool linear_solve(const Eigen::VectorXd& right_hand_side, State& x);
+  /// K x, uncondensed: what the Jacobian check compares with differences of the residual.
+  Eigen::VectorXd tangent_product(const State& x) const {
+    return space_.product(tangents_, x);
+  }
+
+ private:
+  template <class Regularisation>
+  void evaluate_with(const State& w);
+
+  Space& space_;
+  rheology::Rheology rheology_;
+  TangentTerm tangent_term_ = TangentTerm::full;
+  std::vector<double> total_pressure_, regularised_pressure_;
+  Eigen::VectorXd load_;
+  std::vector<typename Space::Tangent> tangents_;
+  solve::Residual residual_;
+};
+
+extern template class ShearFlow<1>;
+
+}  // namespace talus::flow

@@ -1,0 +1,147 @@
+#include "common/io/figure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <gnuplot-iostream.h>
+
+#include "common/io/table.hpp"
+
+namespace talus::io {
+namespace {
+
+// Okabe & Ito's palette, told apart by the colour-blind as well.
+constexpr const char* palette[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                   "#E69F00", "#56B4E9", "#000000", "#999933"};
+constexpr int panel_width = 520, panel_height = 390;
+
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
+  return result + "'";
+}
+
+int columns_of(const Figure& figure) {
+  return std::min(figure.columns, static_cast<int>(figure.panels.size()));
+}
+
+std::string tics(const char* axis, const std::vector<std::string>& labels) {
+  std::string result = std::string("set ") + axis + "tics (";
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    result += (i == 0 ? "" : ", ") + quoted(labels[i]) + " " + std::to_string(i);
+  return result + ")\n";
+}
+
+std::string curve_style(const Curve& curve, std::size_t number) {
+  const std::string colour = quoted(palette[number % std::size(palette)]);
+  const std::string point = std::to_string(std::vector<int>{7, 5, 9, 13, 11, 6, 4, 8}[number % 8]);
+  switch (curve.style) {
+    case Style::line: return "with lines lw 2 lc rgb " + colour;
+    case Style::dashed: return "with lines lw 1.5 dt 2 lc rgb " + colour;
+    case Style::points: return "with points ps 0.6 pt " + point + " lc rgb " + colour;
+    case Style::line_points:
+      return "with linespoints lw 1.5 ps 0.7 pt " + point + " lc rgb " + colour;
+  }
+  return {};
+}
+
+std::string panel_script(const Panel& panel, const std::string& data, std::size_t& block) {
+  std::string script = "reset\nset border lc rgb '#444444'\nset grid lc rgb '#dddddd' lt 1\n";
+  script += "set title " + quoted(panel.title) + "\nset xlabel " + quoted(panel.x_label) +
+            "\nset ylabel " + quoted(panel.y_label) + "\nset key " + panel.key +
+            " samplen 2 spacing 0.95 font ',10'\n";
+  if (panel.map) {
+    const Map& map = *panel.map;
+    script += tics("x", map.columns) + tics("y", map.rows);
+    script += "set xtics rotate by -40 left\nunset grid\nunset key\nset cblabel " +
+              quoted(map.value_label) +
+              "\nset palette defined (0 '#f7fbff', 0.5 '#6baed6', 1 '#08306b')\n";
+    script += "set xrange [-0.5:" + std::to_string(map.columns.size()) + "-0.5]\nset yrange [-0.5:" +
+              std::to_string(map.rows.size()) + "-0.5]\nset object 1 rectangle from graph 0,0 to "
+              "graph 1,1 fc rgb '#dddddd' behind\n";
+    script += "plot " + data + " index " + std::to_string(block) + " using 1:2:3 with image, " +
+              data + " index " + std::to_string(block) +
+              " using 1:2:4 with labels font ',8' tc rgb '#d55e00'\n";
+    ++block;
+    return script;
+  }
+  if (panel.log_x) script += "set logscale x\nset format x '10^{%L}'\n";
+  if (panel.log_y) script += "set logscale y\nset format y '10^{%L}'\n";
+  std::string plots;
+  for (std::size_t i = 0; i < panel.curves.size(); ++i, ++block) {
+    const Curve& curve = panel.curves[i];
+    if (curve.x.empty()) continue;
+    plots += (plots.empty() ? "plot " : ", \\\n     ") + data + " index " + std::to_string(block) +
+             " " + curve_style(curve, i) +
+             (curve.label.empty() ? " notitle" : " title " + quoted(curve.label));
+  }
+  return script + plots + "\n";
+}
+
+}  // namespace
+
+bool gnuplot_is_available() {
+  static const bool available = std::system("command -v gnuplot >/dev/null 2>&1") == 0;
+  return available;
+}
+
+std::string figure_data(const Figure& figure) {
+  std::string data;
+  for (const Panel& panel : figure.panels) {
+    if (panel.map) {
+      data += "# " + panel.title + ": column row value mark\n";
+      for (std::size_t row = 0; row < panel.map->rows.size(); ++row)
+        for (std::size_t column = 0; column < panel.map->columns.size(); ++column) {
+          const std::string& mark = panel.map->marks[row][column];
+          const double value = panel.map->values[row][column];
+          data += std::to_string(column) + " " + std::to_string(row) + " " +
+                  (std::isfinite(value) ? exact(value) : "NaN") + " " +
+                  (mark.empty() ? "\"\"" : "\"" + mark + "\"") + "\n";
+        }
+      data += "\n\n";
+      continue;
+    }
+    for (const Curve& curve : panel.curves) {
+      data += "# " + panel.title + ": " + curve.label + "\n# " + panel.x_label + "  " +
+              panel.y_label + "\n";
+      if (curve.x.empty()) data += "NaN NaN\n";
+      for (std::size_t i = 0; i < curve.x.size(); ++i)
+        data += exact(curve.x[i]) + " " + exact(curve.y[i]) + "\n";
+      data += "\n\n";
+    }
+  }
+  return data;
+}
+
+std::string figure_script(const Figure& figure, const std::string& format) {
+  const int columns = columns_of(figure);
+  const int rows = (static_cast<int>(figure.panels.size()) + columns - 1) / columns;
+  const std::string size =
+      std::to_string(columns * panel_width) + "," + std::to_string(rows * panel_height);
+  std::string script = "# gnuplot " + figure.name + ".gp\nset encoding utf8\n";
+  script += format == "png" ? "set terminal pngcairo size " + size + " font 'Sans,11' enhanced\n"
+                            : "set terminal svg size " + size +
+                                  " dynamic font 'Helvetica,13' enhanced background rgb 'white'\n";
+  script += "set output " + quoted(figure.name + "." + format) + "\n";
+  script += "set multiplot layout " + std::to_string(rows) + "," + std::to_string(columns) + "\n";
+  std::size_t block = 0;
+  for (const Panel& panel : figure.panels)
+    script += panel_script(panel, quoted(figure.name + ".dat"), block);
+  return script + "unset multiplot\nset output\n";
+}
+
+bool write_figure(const ResultFolder& folder, const Figure& figure, const std::string& format) {
+  folder.write(figure.name + ".dat", figure_data(figure));
+  folder.write(figure.name + ".gp", figure_script(figure, format));
+  if (!gnuplot_is_available()) return false;
+  {
+    Gnuplot gnuplot;
+    gnuplot << "cd " << quoted(folder.path().string()) << "\nload " << quoted(figure.name + ".gp")
+            << std::endl;
+  }  // waits for gnuplot to end
+  const auto image = folder.path() / (figure.name + "." + format);
+  return std::filesystem::exists(image) && std::filesystem::file_size(image) > 0;
+}
+
+}  // namespace talus::io

@@ -1,0 +1,33 @@
+// The command line's edge: ranges in --help, and one clear line for every impossible value.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "common/io/result_folder.hpp"
+
+namespace talus::io {
+
+/// Adds an integer option that must lie in [lower, upper].
+CLI::Option* add_integer(CLI::App& app, const std::string& name, int& value,
+                         const std::string& description, int lower, int upper);
+
+/// Adds a real option that must be finite and lie in [lower, upper].
+CLI::Option* add_real(CLI::App& app, const std::string& name, double& value,
+                      const std::string& description, double lower, double upper);
+
+/// Adds an option that takes one of the names.
+CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
+                        const std::string& description, const std::vector<std::string>& names);
+
+/// Runs `body` after parsing and maps what goes wrong to one line on stderr and an exit code:
+/// 0 after --help, 2 for wrong input (UserError included), 1 for anything else thrown.
+int run_program(CLI::App& app, int argc, char** argv, const std::function<int()>& body);
+
+/// Parses a finite real; throws UserError naming the option, the value and the range.
+double real_in_range(const std::string& option, const std::string& text, double lower,
+                     double upper);
+
+}  // namespace talus::io

@@ -1,0 +1,42 @@
+#include "common/rheology/regularisation.hpp"
+
+#include <utility>
+
+namespace talus::rheology {
+namespace {
+
+template <std::size_t... Index>
+std::vector<Regularisation> all_alternatives(std::index_sequence<Index...>) {
+  return {std::variant_alternative_t<Index, Regularisation>{}...};
+}
+
+}  // namespace
+
+const std::vector<Regularisation>& regularisations() {
+  static const auto all =
+      all_alternatives(std::make_index_sequence<std::variant_size_v<Regularisation>>{});
+  return all;
+}
+
+std::optional<Regularisation> regularisation_named(std::string_view name) {
+  for (const Regularisation& candidate : regularisations())
+    if (name_of(candidate) == name) return candidate;
+  return std::nullopt;
+}
+
+std::string name_of(const Regularisation& regularisation) {
+  return std::visit([](auto kind) { return std::string(kind.name); }, regularisation);
+}
+
+std::string equation_of(const Regularisation& regularisation) {
+  return std::visit([](auto kind) { return std::string(kind.equation); }, regularisation);
+}
+
+std::string regularisation_names() {
+  std::string names;
+  for (const Regularisation& each : regularisations())
+    names += (names.empty() ? "" : ", ") + name_of(each);
+  return names;
+}
+
+}  // namespace talus::rheology

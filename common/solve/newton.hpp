@@ -1,0 +1,136 @@
+// Newton's method with an optional line search on the slope of the energy.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <concepts>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "common/solve/end.hpp"
+
+namespace talus::solve {
+
+/// A residual with the two sizes that give its value a meaning, component by component.
+struct Residual {
+  Eigen::VectorXd value;
+  Eigen::VectorXd magnitude;  ///< sum of the absolute values of the contributions
+  Eigen::VectorXd round_off;  ///< bound on the rounding error of the value: the computed floor
+
+  /// max|value| / max magnitude: what "converged" is judged by.
+  double relative_norm() const {
+    return value.lpNorm<Eigen::Infinity>() / scale();
+  }
+  /// max round_off / max magnitude: the floor in the same measure.
+  double relative_round_off() const { return round_off.lpNorm<Eigen::Infinity>() / scale(); }
+  bool is_round_off() const { return (value.array().abs() <= round_off.array()).all(); }
+  bool is_finite() const { return value.allFinite() && magnitude.allFinite(); }
+
+ private:
+  double scale() const {
+    return std::max(magnitude.lpNorm<Eigen::Infinity>(), std::numeric_limits<double>::min());
+  }
+};
+
+/// What Newton asks of a problem. A state is also a direction; `linear_solve` linearises about the
+/// state last evaluated and returns false if the system is singular or the solution not finite.
+template <class P>
+concept NewtonProblem = requires(P problem, typename P::State& state, const Eigen::VectorXd& b) {
+  { problem.evaluate(state) } -> std::same_as<const Residual&>;
+  { problem.linear_solve(b, state) } -> std::same_as<bool>;
+  { state.moved(1.0, state) } -> std::same_as<typename P::State>;
+  { state.value() } -> std::same_as<const Eigen::VectorXd&>;
+};
+
+/// `energy_slope` needs a residual that is the gradient of a convex energy.
+enum class LineSearch { none, energy_slope };
+
+struct NewtonOptions {
+  double tolerance = 1e-12;  ///< on Residual::relative_norm()
+  int max_iterations = 200;
+  int stall_iterations = 40;  ///< iterations without a smaller residual before giving up
+  LineSearch line_search = LineSearch::energy_slope;
+};
+
+struct NewtonIteration {
+  double residual = 0;   ///< relative, before the step
+  double round_off = 0;  ///< relative, computed floor
+  double step = 0;       ///< step length taken from here; 0 in the last record
+  int evaluations = 0;   ///< residual evaluations spent on the step
+};
+
+struct NewtonSummary {
+  End end = End::stagnated;
+  std::vector<NewtonIteration> history;  ///< one record for the start and one for each iteration
+
+  int iterations() const { return static_cast<int>(history.size()) - 1; }
+  double final_residual() const { return history.back().residual; }
+  double round_off_floor() const { return history.back().round_off; }
+};
+
+/// A step along a Newton direction: its length, or 0 if none is acceptable.
+struct LineSearchResult {
+  double step = 0;
+  int evaluations = 0;
+};
+
+/// Finds a step that lowers a convex energy, from its slope s(t) along the direction.
+/// A point where the slope is still negative is lower than the start, whatever the energy; one past
+/// the minimum is taken only if its slope is a tenth of the first. Neither needs the energy itself,
+/// whose differences cancel near the solution. False position (Illinois) between the two.
+LineSearchResult search_energy_slope(double initial_slope, const std::function<double(double)>& slope);
+
+/// Solves R(state) = 0 in place. Every state accepted is recorded; on a failure the state is the
+/// last accepted one. `observe` sees each accepted state, the start included.
+template <NewtonProblem P>
+NewtonSummary newton(P& problem, typename P::State& state, const NewtonOptions& options = {},
+                     const std::function<void(const typename P::State&)>& observe = {}) {
+  NewtonSummary summary;
+  typename P::State direction;
+  double best = std::numeric_limits<double>::infinity();
+  int since_best = 0;
+  const Residual* residual = &problem.evaluate(state);
+  for (;;) {
+    summary.history.push_back({residual->relative_norm(), residual->relative_round_off()});
+    if (observe) observe(state);
+    const auto ended = [&](End end) {
+      summary.end = end;
+      return summary;
+    };
+    if (!residual->is_finite()) return ended(End::non_finite);
+    if (residual->relative_norm() <= options.tolerance) return ended(End::converged);
+    if (residual->is_round_off()) return ended(End::at_round_off_floor);
+    since_best = residual->relative_norm() < best ? 0 : since_best + 1;
+    best = std::min(best, residual->relative_norm());
+    if (since_best >= options.stall_iterations || summary.iterations() >= options.max_iterations)
+      return ended(End::stagnated);
+
+    if (!problem.linear_solve(-residual->value, direction)) return ended(End::linear_solver_failed);
+    typename P::State trial = state;
+    const auto slope_at = [&](double step) {
+      trial = state.moved(step, direction);
+      residual = &problem.evaluate(trial);
+      return residual->value.dot(direction.value());
+    };
+    LineSearchResult found{1, 1};
+    if (options.line_search == LineSearch::none) {
+      slope_at(1);
+    } else {
+      const double initial_slope = residual->value.dot(direction.value());
+      found = search_energy_slope(initial_slope, slope_at);
+      if (found.step == 0) {
+        // A slope smaller than its own rounding leaves nothing to search for.
+        problem.evaluate(state);
+        const double rounding = residual->round_off.dot(direction.value().cwiseAbs());
+        return ended(std::abs(initial_slope) <= rounding ? End::at_round_off_floor
+                                                         : End::line_search_failed);
+      }
+    }
+    summary.history.back().step = found.step;
+    summary.history.back().evaluations = found.evaluations;
+    state = std::move(trial);
+  }
+}
+
+}  // namespace talus::solve

@@ -1,0 +1,28 @@
+// Flow down a rough inclined plane: Bagnold's profile, singular at the free surface.
+//
+// Sample runs (the test suite runs them):
+//   bagnold
+//   bagnold --elements 20 --grading 2 --plot
+//   bagnold --method interior-point --elements 160 --grading 3
+//   bagnold --regularisation simple --elements 10 --check-jacobian
+//   bagnold --angle 0.3
+#include "common/io/options.hpp"
+#include "oned/bagnold.hpp"
+#include "oned/program.hpp"
+
+using namespace talus;
+
+int main(int argc, char** argv) {
+  CLI::App app{"Dense granular flow down an inclined plane, 1D quadratic elements", "bagnold"};
+  oned::Bagnold bagnold;
+  oned::ProgramOptions options;
+  options.lambda_r = scene_of(bagnold).lambda_r;
+  io::add_real(app, "--angle", bagnold.angle, "Inclination α, in radians", 1e-3, 1.57);
+  io::add_real(app, "--height", bagnold.height, "Depth of the layer H, in d", 1e-3, 1e6);
+  oned::add_options(app, options, "bagnold");
+  return io::run_program(app, argc, argv, [&] {
+    bagnold.law = friction_law(options);
+    return run(scene_of(bagnold), options,
+               {{"angle", bagnold.angle}, {"height", bagnold.height}});
+  });
+}

@@ -1,0 +1,34 @@
+// Flow in a vertical chute between rough walls: a plug in the middle, shear at the walls.
+//
+// Sample runs (the test suite runs them):
+//   chute
+//   chute --elements 17 --align --lambda-r 1e-8 --plot
+//   chute --method interior-point --elements 160
+//   chute --regularisation papanastasiou --elements 10 --check-jacobian
+//   chute --pressure 40
+#include "common/io/options.hpp"
+#include "oned/chute.hpp"
+#include "oned/program.hpp"
+
+using namespace talus;
+
+int main(int argc, char** argv) {
+  CLI::App app{"Dense granular flow in a vertical chute, 1D quadratic elements on half the width",
+               "chute"};
+  oned::Chute chute;
+  oned::ProgramOptions options;
+  options.lambda_r = scene_of(chute).lambda_r;
+  io::add_real(app, "--pressure", chute.pressure, "Confining pressure p, in φρgd", 1e-3, 1e6);
+  io::add_real(app, "--width", chute.width, "Width b, in d", 1e-3, 1e6);
+  oned::add_options(app, options, "chute");
+  app.add_option("--align", options.align,
+                 "Put the edge of the plug at this fraction of its element; alone: on a node "
+                 "[0 ... 0.99]")
+      ->expected(0, 1)
+      ->default_str("0");
+  return io::run_program(app, argc, argv, [&] {
+    if (app.count("--align") > 0 && options.align.empty()) options.align = "0";
+    chute.law = friction_law(options);
+    return run(scene_of(chute), options, {{"pressure", chute.pressure}, {"width", chute.width}});
+  });
+}

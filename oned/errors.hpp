@@ -1,0 +1,27 @@
+// Distance of a computed velocity profile from the exact one.
+#pragma once
+
+#include <functional>
+
+#include "oned/solver.hpp"
+
+namespace talus::oned {
+
+/// All absolute, in sqrt(gL); L2 also times sqrt(L).
+struct Errors {
+  double l2 = 0;         ///< (∫ (w - w_exact)² dx)^½
+  double max = 0;        ///< over the whole line
+  double nodal_max = 0;  ///< over the nodes
+  double paper_rms = 0;  ///< (1/N) (Σ over N nodes)^½, the paper's "RMS": ½ too high in the order
+};
+
+/// Velocity anywhere: the finite-element function. x must lie on the line.
+double velocity_at(const Solution& solution, double x);
+
+/// Against the scene's exact profile.
+Errors errors(const Solution& solution, const ShearScene& scene);
+
+/// (∫ (w_a - w_b)² dx)^½ of two solutions on the same mesh.
+double l2_distance(const Solution& a, const Solution& b);
+
+}  // namespace talus::oned

@@ -1,0 +1,174 @@
+#include "oned/report.hpp"
+
+#include <cmath>
+
+namespace talus::oned {
+namespace {
+
+using nlohmann::json;
+
+const char* name_of(Method method) {
+  return method == Method::newton ? "newton" : "interior-point";
+}
+
+json law_as_json(const rheology::FrictionLaw& law) {
+  return {{"mu_s", law.mu_s},
+          {"delta_mu", law.delta_mu},
+          {"I0", law.I0},
+          {"solid_fraction", law.solid_fraction},
+          {"grain_size", law.grain_size}};
+}
+
+json parameters_as_json(const ShearScene& scene, const RunParameters& parameters) {
+  json all = parameters.scene;
+  all["elements"] = parameters.mesh.elements;
+  all["grading"] = parameters.mesh.grading;
+  all["align"] = parameters.mesh.align ? json(*parameters.mesh.align) : json(nullptr);
+  all["friction"] = law_as_json(scene.law);
+  all["method"] = name_of(parameters.solve.method);
+  if (parameters.solve.method == Method::newton) {
+    all["regularisation"] = rheology::name_of(parameters.solve.regularisation);
+    all["lambda_r"] = parameters.solve.lambda_r;
+    all["tolerance"] = parameters.solve.newton.tolerance;
+    all["precision"] =
+        parameters.solve.precision == solve::Precision::plain ? "plain" : "compensated";
+  } else {
+    all["tolerance"] = parameters.solve.interior_point.tolerance;
+  }
+  return all;
+}
+
+json header(const ShearScene& scene, const RunParameters& parameters) {
+  return {{"scene", scene.name},
+          {"model", "1d"},
+          {"parameters", parameters_as_json(scene, parameters)},
+          {"regime", rheology::name_of(scene.regime())},
+          {"limits", scene.limits}};
+}
+
+json newton_as_json(const solve::ContinuationSummary& newton) {
+  json path = json::array();
+  for (const auto& step : newton.path)
+    path.push_back({{"lambda_r", step.lambda_r},
+                    {"end", solve::name_of(step.end)},
+                    {"iterations", step.iterations}});
+  return {{"iterations", newton.total_iterations()},
+          {"final_residual", newton.newton.final_residual()},
+          {"round_off_floor", newton.newton.round_off_floor()},
+          {"continuation", path}};
+}
+
+json interior_point_as_json(const flow::InteriorPointSummary& summary) {
+  return {{"factorisations", summary.factorisations()},
+          {"relative_gap", summary.relative_gap()},
+          {"equilibrium", summary.history.back().equilibrium},
+          {"at_rest", summary.at_rest}};
+}
+
+}  // namespace
+
+json summary(const ShearScene& scene, const RunParameters& parameters, const Solution& solution) {
+  json all = header(scene, parameters);
+  all["status"] = solve::name_of(solution.end);
+  if (parameters.solve.method == Method::newton)
+    all["newton"] = newton_as_json(solution.newton);
+  else
+    all["interior_point"] = interior_point_as_json(solution.interior_point);
+  all["seconds"] = solution.seconds;
+  const Errors error = errors(solution, scene);
+  const double exact_max =
+      std::max(scene.exact_velocity(0), scene.exact_velocity(scene.length));
+  all["results"] = {{"max_velocity", solution.velocity.value().lpNorm<Eigen::Infinity>()},
+                    {"exact_max_velocity", exact_max},
+                    {"error_l2", error.l2},
+                    {"error_max", error.max},
+                    {"error_nodal_max", error.nodal_max},
+                    {"error_paper_rms", error.paper_rms}};
+  return all;
+}
+
+json refusal(const ShearScene& scene, const RunParameters& parameters) {
+  json all = header(scene, parameters);
+  all["status"] = solve::name_of(solve::End::no_steady_state);
+  all["results"] = json::object();
+  return all;
+}
+
+io::Table profile_table(const ShearScene& scene, const Solution& solution) {
+  io::Table table{"",
+                  {scene.coordinate, scene.velocity, scene.velocity + "_exact", "shear_rate",
+                   "shear_rate_exact", "I", "I_exact", "stress", "stress_exact"},
+                  {}};
+  const auto& points = solution.space.points();
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double x = points[k].position[0], p = scene.pressure(x);
+    const auto& nodes = solution.space.mesh().elements[k / solution.space.points_per_element()];
+    double velocity = 0;
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+      velocity += points[k].values[static_cast<Eigen::Index>(a)] *
+                  solution.velocity.value()[nodes[a]];
+    const double exact_rate = scene.exact_shear_rate(x);
+    table.rows.push_back({});
+    for (const double value :
+         {x, velocity, scene.exact_velocity(x), solution.shear_rate[k], exact_rate,
+          scene.law.inertial_number(solution.shear_rate[k], p),
+          scene.law.inertial_number(exact_rate, p), solution.stress[k], scene.exact_stress(x)})
+      table.rows.back().push_back(io::exact(value));
+  }
+  return table;
+}
+
+io::Table iteration_table(const Solution& solution) {
+  io::Table table;
+  if (solution.interior_point.history.empty()) {
+    table.header = {"iteration", "residual", "round_off_floor", "step", "evaluations"};
+    int iteration = 0;
+    for (const auto& record : solution.newton.newton.history)
+      table.rows.push_back({std::to_string(iteration++), io::exact(record.residual),
+                            io::exact(record.round_off), io::exact(record.step),
+                            std::to_string(record.evaluations)});
+  } else {
+    table.header = {"factorisation", "relative_gap", "equilibrium", "centring", "step"};
+    int iteration = 0;
+    for (const auto& record : solution.interior_point.history)
+      table.rows.push_back({std::to_string(iteration++), io::exact(record.relative_gap),
+                            io::exact(record.equilibrium), io::exact(record.centring),
+                            io::exact(record.step)});
+  }
+  return table;
+}
+
+io::Figure profile_figure(const ShearScene& scene,
+                          const std::vector<std::pair<std::string, const Solution*>>& solutions) {
+  constexpr std::size_t coordinate = 0;
+  struct Quantity {
+    std::string title, label;
+    std::size_t column;
+  };
+  const std::vector<Quantity> quantities = {
+      {"velocity", scene.velocity + " / sqrt(gd)", 1},
+      {"inertial number", "I", 5},
+      {"shear rate", "|d" + scene.velocity + "/d" + scene.coordinate + "| / sqrt(g/d)", 3},
+      {"shear stress", "τ / φρgd", 7}};
+  io::Figure figure{"profile", scene.title + " against the exact profiles", {}, 2};
+  for (const Quantity& quantity : quantities) {
+    io::Panel panel{quantity.title, scene.coordinate + " / d", quantity.label, false, false, {}};
+    for (const auto& [label, solution] : solutions) {
+      io::Curve computed{label, {}, {}, io::Style::points};
+      io::Curve exact{"exact", {}, {}, io::Style::line};
+      for (const auto& row : profile_table(scene, *solution).rows) {
+        computed.x.push_back(std::stod(row[coordinate]));
+        computed.y.push_back(std::stod(row[quantity.column]));
+        exact.x.push_back(computed.x.back());
+        exact.y.push_back(std::stod(row[quantity.column + 1]));
+      }
+      panel.curves.push_back(computed);
+      if (solution == solutions.back().second) panel.curves.push_back(exact);
+    }
+    panel.key = "top center";
+    figure.panels.push_back(panel);
+  }
+  return figure;
+}
+
+}  // namespace talus::oned

@@ -1,0 +1,62 @@
+// A scene of unidirectional flow across a line: what chute and bagnold have in common.
+//
+// Dimensionless as in the paper: lengths in d, stress in φρgd, velocity in sqrt(gd). The velocity is
+// positive along the driving force.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/rheology/rheology.hpp"
+
+namespace talus::oned {
+
+/// How a line is divided; see fem::graded_line and fem::aligned_line.
+struct MeshOptions {
+  int elements = 40;
+  double grading = 1;                          ///< exponent, 1 = uniform
+  std::optional<double> align = std::nullopt;  ///< place of the yield point in its element, 0 = node
+};
+
+/// Orders of convergence in the four norms of Errors, with the allowed distance from each.
+struct Orders {
+  double l2 = 0, paper_rms = 0, nodal_max = 0, max = 0;
+  double tolerance = 0.1;
+};
+
+/// A family of meshes on which an order is known; no orders where none can be fitted.
+struct OrderCase {
+  std::string name;
+  MeshOptions mesh;
+  std::vector<int> elements;
+  std::optional<Orders> expected;
+};
+
+struct ShearScene {
+  std::string name, title;
+  std::string coordinate, velocity;  ///< symbols for axes: "y" and "w", "z" and "u"
+  double length = 0;
+  bool wall_at_start = false;  ///< no slip at 0 (else at `length`); the other end carries no stress
+  rheology::FrictionLaw law;
+  double body_force = 0;
+  std::function<double(double)> pressure;
+  double stress_ratio = 0;            ///< largest shear stress over pressure
+  std::string limits;                 ///< of existence, in terms of the scene's load parameter
+  std::optional<double> yield_point;  ///< where a plug ends
+  double lambda_r = 1e-6;             ///< the paper's
+
+  std::function<double(double)> exact_velocity;  ///< of a flowing or resting scene
+  std::function<double(double)> exact_shear_rate;
+  std::function<double(double)> exact_stress;
+
+  std::vector<OrderCase> order_cases;
+
+  rheology::Regime regime() const { return rheology::regime_under(law, stress_ratio); }
+};
+
+/// Element boundaries of `scene`. Throws io::UserError if the yield point cannot be placed.
+std::vector<double> boundaries(const ShearScene& scene, const MeshOptions& mesh);
+
+}  // namespace talus::oned
