@@ -38,6 +38,11 @@ ShearScene scene_of(const Bagnold& bagnold) {
                        {"graded, exponent 2", {.grading = 2}, meshes, Orders{3, 3.98, 3, 3, 0.05}},
                        {"graded, exponent 3", {.grading = 3}, meshes, Orders{3, 4.5, 3.95, 3, 0.05}},
                        {"graded, exponent 4", {.grading = 4}, meshes, Orders{3, 4.5, 3.95, 3, 0.05}}};
+  scene.load = {"α", 0.34, 0.406, 0.6, [bagnold](double angle) {
+                  Bagnold other = bagnold;
+                  other.angle = angle;
+                  return scene_of(other);
+                }};
   return scene;
 }
 

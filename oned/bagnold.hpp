@@ -11,7 +11,7 @@ namespace talus::oned {
 struct Bagnold {
   double angle = 0.406;  ///< α, radians
   double height = 14;    ///< H
-  rheology::FrictionLaw law;
+  rheology::FrictionLaw law = {};
 };
 
 /// The scene with its exact solution, eq. (18)-(19). Rest where tan α <= μs, no steady flow where

@@ -11,7 +11,7 @@ namespace talus::oned {
 struct Chute {
   double pressure = 28;  ///< p
   double width = 28;     ///< b
-  rheology::FrictionLaw law;
+  rheology::FrictionLaw law = {};
 };
 
 /// The scene with its exact solution, eq. (17). Rest where b/2 <= μs p, no steady flow where

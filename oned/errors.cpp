@@ -38,6 +38,32 @@ double integral(double start, double end, const std::function<double(double)>& f
   return 0.5 * (end - start) * sum;
 }
 
+// All norms of a function given element by element, smooth but for a kink in at most one of them.
+Errors norms(const std::vector<Element>& elements, std::optional<double> kink,
+             const std::function<double(std::size_t element, double x)>& f) {
+  constexpr int samples = 40;  // an element; even, so that the nodes are among them
+  Errors result;
+  double square = 0, nodal_square = 0;
+  const auto add_node = [&](double value) {
+    result.nodal_max = std::max(result.nodal_max, std::abs(value));
+    nodal_square += value * value;
+  };
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const auto [start, end, velocity] = elements[i];
+    const auto squared = [&, i](double x) { return f(i, x) * f(i, x); };
+    const double split = std::clamp(kink.value_or(start), start, end);
+    square += integral(start, split, squared) + integral(split, end, squared);
+    for (int k = 0; k <= samples; ++k)
+      result.max = std::max(result.max, std::abs(f(i, start + (end - start) * k / samples)));
+    add_node(f(i, start));
+    add_node(f(i, 0.5 * (start + end)));
+  }
+  add_node(f(elements.size() - 1, elements.back().end));
+  result.l2 = std::sqrt(square);
+  result.paper_rms = std::sqrt(nodal_square) / static_cast<double>(2 * elements.size() + 1);
+  return result;
+}
+
 }  // namespace
 
 double velocity_at(const Solution& solution, double x) {
@@ -49,40 +75,16 @@ double velocity_at(const Solution& solution, double x) {
 }
 
 Errors errors(const Solution& solution, const ShearScene& scene) {
-  constexpr int samples = 40;  // an element
-  Errors result;
-  double square = 0;
-  for (const Element& e : elements_of(solution)) {
-    const auto error = [&](double x) { return e.at(x) - scene.exact_velocity(x); };
-    const auto squared = [&](double x) { return error(x) * error(x); };
-    const double kink = std::clamp(scene.yield_point.value_or(e.start), e.start, e.end);
-    square += integral(e.start, kink, squared) + integral(kink, e.end, squared);
-    for (int i = 0; i <= samples; ++i)
-      result.max = std::max(result.max,
-                            std::abs(error(e.start + (e.end - e.start) * i / samples)));
-  }
-  result.l2 = std::sqrt(square);
-  double sum = 0;
-  const auto& nodes = solution.space.mesh().nodes;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const double error = solution.velocity.value()[static_cast<Eigen::Index>(i)] -
-                         scene.exact_velocity(nodes[i][0]);
-    result.nodal_max = std::max(result.nodal_max, std::abs(error));
-    sum += error * error;
-  }
-  result.paper_rms = std::sqrt(sum) / static_cast<double>(nodes.size());
-  return result;
+  const auto elements = elements_of(solution);
+  return norms(elements, scene.yield_point, [&](std::size_t i, double x) {
+    return elements[i].at(x) - scene.exact_velocity(x);
+  });
 }
 
-double l2_distance(const Solution& a, const Solution& b) {
-  double square = 0;
+Errors distance(const Solution& a, const Solution& b) {
   const auto of_a = elements_of(a), of_b = elements_of(b);
-  for (std::size_t e = 0; e < of_a.size(); ++e)
-    square += integral(of_a[e].start, of_a[e].end, [&](double x) {
-      const double difference = of_a[e].at(x) - of_b[e].at(x);
-      return difference * difference;
-    });
-  return std::sqrt(square);
+  return norms(of_a, std::nullopt,
+               [&](std::size_t i, double x) { return of_a[i].at(x) - of_b[i].at(x); });
 }
 
 }  // namespace talus::oned

@@ -21,7 +21,7 @@ double velocity_at(const Solution& solution, double x);
 /// Against the scene's exact profile.
 Errors errors(const Solution& solution, const ShearScene& scene);
 
-/// (∫ (w_a - w_b)² dx)^½ of two solutions on the same mesh.
-double l2_distance(const Solution& a, const Solution& b);
+/// Between two solutions on the same mesh, in the same norms.
+Errors distance(const Solution& a, const Solution& b);
 
 }  // namespace talus::oned

@@ -61,7 +61,8 @@ json newton_as_json(const solve::ContinuationSummary& newton) {
 json interior_point_as_json(const flow::InteriorPointSummary& summary) {
   return {{"factorisations", summary.factorisations()},
           {"relative_gap", summary.relative_gap()},
-          {"equilibrium", summary.history.back().equilibrium},
+          {"round_off", summary.last_good.round_off},
+          {"equilibrium", summary.last_good.equilibrium},
           {"at_rest", summary.at_rest}};
 }
 

@@ -34,6 +34,15 @@ struct OrderCase {
   std::optional<Orders> expected;
 };
 
+struct ShearScene;
+
+/// The load of a scene, varied past both limits of existence.
+struct LoadSweep {
+  std::string symbol;
+  double rest = 0, usual = 0, fast = 0;  ///< a load at rest, one that flows, one past the fast limit
+  std::function<ShearScene(double load)> scene;
+};
+
 struct ShearScene {
   std::string name, title;
   std::string coordinate, velocity;  ///< symbols for axes: "y" and "w", "z" and "u"
@@ -52,6 +61,7 @@ struct ShearScene {
   std::function<double(double)> exact_stress;
 
   std::vector<OrderCase> order_cases;
+  LoadSweep load;
 
   rheology::Regime regime() const { return rheology::regime_under(law, stress_ratio); }
 };

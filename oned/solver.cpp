@@ -19,6 +19,10 @@ auto body_force_of(const ShearScene& scene) {
 void solve_by_newton(const ShearScene& scene, const SolveOptions& options, Solution& solution) {
   flow::ShearFlow<1> problem = regularised_problem(scene, solution.space, options);
   solution.velocity = solve::CompensatedVector(solution.space.node_count(), options.precision);
+  if (options.start)
+    for (Eigen::Index i = 0; i < solution.velocity.size(); ++i)
+      solution.velocity.set(
+          i, options.start(solution.space.mesh().nodes[static_cast<std::size_t>(i)][0]));
   if (options.continuation)
     solution.newton = solve::newton_with_continuation(problem, solution.velocity, options.newton);
   else

@@ -25,6 +25,7 @@ struct SolveOptions {
   solve::Precision precision = solve::Precision::compensated;
   flow::TangentTerm tangent_term = flow::TangentTerm::full;
   flow::InteriorPointOptions interior_point;
+  std::function<double(double)> start = {};  ///< velocity Newton starts from; empty: rest
   std::function<void(const solve::CompensatedVector&)> observe = {};  ///< Newton's iterates
 };
 
@@ -50,7 +51,7 @@ flow::ShearFlow<1> regularised_problem(const ShearScene& scene, flow::CrossSecti
 /// The problem of the interior point; `space` must outlive it.
 flow::InteriorPoint<1> unregularised_problem(const ShearScene& scene, flow::CrossSection<1>& space);
 
-/// Solves from rest. The load limits are the caller's business: a mesh may return numbers for a flow
+/// Solves from rest or `options.start`. The load limits are the caller's business: a mesh may return numbers for a flow
 /// that does not exist.
 Solution solve(const ShearScene& scene, std::span<const double> boundaries,
                const SolveOptions& options);

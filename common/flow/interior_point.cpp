@@ -4,8 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "common/flow/load_capacity.hpp"
+
 namespace talus::flow {
 namespace {
+
+// Power of the load below which the gap is measured against the natural power instead.
+constexpr double smallest_power = 1e-12;
 
 // Largest α with |v + α dv| <= s + α ds, for |v| < s. Infinity if there is none.
 template <class Vector>
@@ -62,8 +67,9 @@ InteriorPoint<Dim>::InteriorPoint(Space& space, rheology::FrictionLaw law,
   for (const auto& point : space.points()) {
     const double p = pressure(point.position);
     pressure_.push_back(p);
-    natural_power_ += point.weight * law_.mu_s * p * law_.reference_shear_rate(p);
+    point_power_.push_back(law_.mu_s * p * law_.reference_shear_rate(p));
   }
+  natural_power_ = integral(point_power_);
 }
 
 template <int Dim>
@@ -208,65 +214,103 @@ bool InteriorPoint<Dim>::is_within_yield(const ConeState<Dim>& state) const {
   return true;
 }
 
-// Rate at which the energy grows along the velocity itself, to infinity: Σ w μ2 p|g| - f·u.
 template <int Dim>
-double InteriorPoint<Dim>::recession(const ConeState<Dim>& state) const {
-  std::vector<Vector> g;
-  space_.gradients(state.velocity, g);
-  double sum = -load_.dot(state.velocity.value());
-  for (std::size_t k = 0; k < g.size(); ++k)
-    sum += space_.points()[k].weight * law_.mu_2() * pressure_[k] * g[k].norm();
-  return sum;
+InteriorPointIteration InteriorPoint<Dim>::measure(const ConeState<Dim>& state,
+                                                   const ConeResidual<Dim>& r) const {
+  InteriorPointIteration record;
+  const double power =
+      std::max(load_.dot(state.velocity.value()), smallest_power * natural_power_);
+  double contributions = 0;
+  for (std::size_t k = 0; k < r.product.size(); ++k) {
+    const double bounds = state.bound[k] * state.dual_bound[k];
+    contributions += space_.points()[k].weight * (bounds + std::abs(bounds - r.product[k]));
+  }
+  record.relative_gap = integral(r.product) / power;
+  record.round_off = std::numeric_limits<double>::epsilon() * contributions / power;
+  record.equilibrium = r.equilibrium.template lpNorm<Eigen::Infinity>() /
+                       load_.template lpNorm<Eigen::Infinity>();
+  return record;
+}
+
+template <int Dim>
+bool InteriorPoint<Dim>::advance(ConeState<Dim>& state, ConeResidual<Dim>& r,
+                                 InteriorPointIteration& record, double step_to_boundary) {
+  ConeStep<Dim> step;
+  assemble(state);
+  if (!newton_step(state, r, step)) return false;
+  const double gap = integral(r.product);
+  const double predictor_length = std::min(1.0, longest_step(state, step));
+  const double ratio = std::max(predicted_gap(state, predictor_length, step), 0.0) / gap;
+  record.centring = std::min(1.0, ratio * ratio * ratio);
+
+  // Corrector: the same factorisation, with the products of the predictor's increments.
+  const double target = record.centring * gap / natural_power_;  // σμ
+  for (std::size_t k = 0; k < pressure_.size(); ++k) {
+    r.product[k] += step.bound[k] * step.dual_bound[k] - step.gradient[k].dot(step.stress[k]) -
+                    target * point_power_[k];
+    r.alignment[k] += step.dual_bound[k] * step.gradient[k] - step.bound[k] * step.stress[k];
+  }
+  if (!newton_step(state, r, step)) return false;
+  record.step = std::min(1.0, step_to_boundary * longest_step(state, step));
+  state = moved(state, record.step, step);
+  return true;
 }
 
 template <int Dim>
 InteriorPointSummary InteriorPoint<Dim>::solve(ConeState<Dim>& state,
                                                const InteriorPointOptions& options) {
+  constexpr double equilibrium_tolerance = 1e-9;
+  constexpr double near_round_off = 100;  // gap over its round-off at which no progress is expected
+  constexpr int patience = 3;             // iterations without a smaller gap, once in equilibrium
   InteriorPointSummary summary;
-  const double measure = integral(std::vector<double>(pressure_.size(), 1.0));
-  const double load_scale = std::max(load_.template lpNorm<Eigen::Infinity>(), 1e-300);
-  ConeStep<Dim> step;
+  ConeState<Dim> good = state;
+  int since_good = 0;
+  bool was_in_equilibrium = false;
+  const auto ended = [&](solve::End end) {
+    summary.end = end;
+    return summary;
+  };
+  // Round-off ends the path: return to the last good iterate and say what it is worth.
+  const auto gave_up = [&](solve::End end) {
+    state = good;
+    const bool at_floor = was_in_equilibrium && summary.last_good.relative_gap <=
+                                                    near_round_off * summary.last_good.round_off;
+    return ended(at_floor ? solve::End::at_round_off_floor : end);
+  };
   for (;;) {
     ConeResidual<Dim> r = residual(state);
-    const double gap = integral(r.product);
-    const double power = load_.dot(state.velocity.value());
-    const double equilibrium = r.equilibrium.template lpNorm<Eigen::Infinity>() / load_scale;
-    summary.history.push_back({gap / std::max(power, 1e-12 * natural_power_), equilibrium});
-    InteriorPointIteration& record = summary.history.back();
-    const auto ended = [&](solve::End end) {
-      summary.end = end;
-      return summary;
-    };
-    if (!std::isfinite(gap) || !std::isfinite(equilibrium)) return ended(solve::End::non_finite);
-    const bool in_equilibrium = equilibrium <= std::max(options.tolerance, 1e-9);
+    InteriorPointIteration now = measure(state, r);
+    summary.history.push_back(now);
+    const bool in_equilibrium = now.equilibrium <= equilibrium_tolerance;
+    const bool is_finite = std::isfinite(now.relative_gap) && std::isfinite(now.equilibrium);
+    const bool is_better =
+        is_finite && now.relative_gap > 0 &&
+        (!was_in_equilibrium ||
+         (in_equilibrium && now.relative_gap < summary.last_good.relative_gap));
+    if (is_better) {
+      good = state;
+      summary.last_good = now;
+      was_in_equilibrium = in_equilibrium;
+      since_good = 0;
+    } else if (!is_finite || ++since_good >= patience) {
+      return gave_up(is_finite ? solve::End::stagnated : solve::End::non_finite);
+    }
     if (in_equilibrium && is_within_yield(state)) {
       // Rest is then the exact minimum of the discrete energy.
       state.velocity.set_zero();
       summary.at_rest = true;
-      record.relative_gap = 0;
+      summary.last_good = now;
+      summary.last_good.relative_gap = 0;
       return ended(solve::End::converged);
     }
-    if (power > 0 && recession(state) < 0) return ended(solve::End::no_steady_state);
-    if (in_equilibrium && record.relative_gap <= options.tolerance)
+    if (is_better && load_.dot(state.velocity.value()) > 0 && recession<Dim>(space_, law_, pressure_, load_, state.velocity) < 0)
+      return ended(solve::End::no_steady_state);
+    if (is_better && in_equilibrium && now.relative_gap <= options.tolerance)
       return ended(solve::End::converged);
     if (summary.factorisations() >= options.max_factorisations)
-      return ended(solve::End::stagnated);
-
-    assemble(state);
-    if (!newton_step(state, r, step)) return ended(solve::End::linear_solver_failed);
-    const double predictor_length = std::min(1.0, longest_step(state, step));
-    const double ratio = std::max(predicted_gap(state, predictor_length, step), 0.0) / gap;
-    record.centring = std::min(1.0, ratio * ratio * ratio);
-
-    // Corrector: the same factorisation, with the products of the predictor's increments.
-    for (std::size_t k = 0; k < pressure_.size(); ++k) {
-      r.product[k] += step.bound[k] * step.dual_bound[k] -
-                      step.gradient[k].dot(step.stress[k]) - record.centring * gap / measure;
-      r.alignment[k] += step.dual_bound[k] * step.gradient[k] - step.bound[k] * step.stress[k];
-    }
-    if (!newton_step(state, r, step)) return ended(solve::End::linear_solver_failed);
-    record.step = std::min(1.0, options.step_to_boundary * longest_step(state, step));
-    state = moved(state, record.step, step);
+      return gave_up(solve::End::stagnated);
+    if (!advance(state, r, summary.history.back(), options.step_to_boundary))
+      return gave_up(solve::End::linear_solver_failed);
   }
 }
 

@@ -4,7 +4,9 @@
 //
 // is a second-order cone programme. Its dual is a stress τ in equilibrium, Σ w Gᵀτ = f, with
 // |τ| <= z = D'(t); at the optimum (t, g) ∘ (z, -τ) = 0, that is t z = g·τ and t τ = z g. Newton
-// follows (t, g) ∘ (z, -τ) = (σμ, 0) as μ → 0 with Mehrotra's predictor and second-order corrector.
+// follows (t, g) ∘ (z, -τ) = (σμs, 0) as μ → 0 with Mehrotra's predictor and second-order corrector;
+// s = μs p c, the natural power of the point, makes all points equally accurate as p → 0 at a free
+// surface (with s = 1 the surface velocity is the last thing to converge).
 // The duality gap Σ w (t z - g·τ) bounds the distance to the discrete minimum: no λr anywhere.
 // Related: Bleyer et al. (2015), yield-stress flows as second-order cone programmes.
 #pragma once
@@ -25,19 +27,21 @@ struct InteriorPointOptions {
 };
 
 struct InteriorPointIteration {
-  double relative_gap = 0;    ///< duality gap over the power of the load, before the step
-  double equilibrium = 0;     ///< max|f - Σ w Gᵀτ| over max|f|, before the step
-  double centring = 0;        ///< σ
-  double step = 0;            ///< common step of all variables
+  double relative_gap = 0;  ///< duality gap over the power of the load, before the step
+  double round_off = 0;     ///< of the relative gap: ε Σ w (t z + |g·τ|) over the same power
+  double equilibrium = 0;   ///< max|f - Σ w Gᵀτ| over max|f|, before the step
+  double centring = 0;      ///< σ
+  double step = 0;          ///< common step of all variables
 };
 
 struct InteriorPointSummary {
   solve::End end = solve::End::stagnated;
   bool at_rest = false;  ///< certified: a stress in equilibrium stays within the yield stress
-  std::vector<InteriorPointIteration> history;
+  std::vector<InteriorPointIteration> history;  ///< one record for the start, one a factorisation
+  InteriorPointIteration last_good;             ///< record of the state returned
 
   int factorisations() const { return static_cast<int>(history.size()) - 1; }
-  double relative_gap() const { return history.back().relative_gap; }
+  double relative_gap() const { return last_good.relative_gap; }
 };
 
 /// Fields at the quadrature points: t >= |grad u|, its dual z >= |τ|, and the stress τ.
@@ -83,7 +87,8 @@ class InteriorPoint {
 
   /// Strictly inside both cones: no motion, no stress, t the natural shear rate.
   ConeState<Dim> start() const;
-  /// Follows the central path from `state`; on a failure `state` is the last good iterate.
+  /// Follows the central path from `state`. Where round-off stops it, `state` is the last good
+  /// iterate, and the end is at_round_off_floor only if the computed round-off of the gap says so.
   InteriorPointSummary solve(ConeState<Dim>& state, const InteriorPointOptions& options = {});
 
   // The pieces, public for the Jacobian check and for students.
@@ -100,16 +105,20 @@ class InteriorPoint {
 
  private:
   double integral(const std::vector<double>& values) const;
+  InteriorPointIteration measure(const ConeState<Dim>& state, const ConeResidual<Dim>& r) const;
+  /// Predictor, corrector and step; false if the system is singular.
+  bool advance(ConeState<Dim>& state, ConeResidual<Dim>& r, InteriorPointIteration& record,
+               double step_to_boundary);
   double longest_step(const ConeState<Dim>& state, const ConeStep<Dim>& step) const;
   double predicted_gap(const ConeState<Dim>& state, double length, const ConeStep<Dim>& step) const;
   bool is_within_yield(const ConeState<Dim>& state) const;
-  double recession(const ConeState<Dim>& state) const;
 
   Space& space_;
   rheology::FrictionLaw law_;
   std::vector<double> pressure_;
   Eigen::VectorXd load_;
-  double natural_power_ = 0;  // Σ w μs p c: scale of the gap where nothing moves
+  std::vector<double> point_power_;  // s = μs p c
+  double natural_power_ = 0;         // Σ w s: scale of the gap where nothing moves
 };
 
 extern template class InteriorPoint<1>;

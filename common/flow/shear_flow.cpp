@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "common/flow/load_capacity.hpp"
+
 namespace talus::flow {
 
 template <int Dim>
@@ -85,6 +87,11 @@ template <int Dim>
 bool ShearFlow<Dim>::linear_solve(const Eigen::VectorXd& right_hand_side, State& x) {
   space_.assemble(tangents_);
   return space_.solve(right_hand_side, x);
+}
+
+template <int Dim>
+bool ShearFlow<Dim>::exceeds_capacity(const State& w) const {
+  return recession<Dim>(space_, rheology_.law, regularised_pressure_, load_, w) < 0;
 }
 
 template class ShearFlow<1>;

@@ -38,6 +38,8 @@ class ShearFlow {
   const solve::Residual& evaluate(const State& w);
   /// Solves K x = right_hand_side, K the tangent at the state last evaluated.
   bool linear_solve(const Eigen::VectorXd& right_hand_side, State& x);
+  /// Certificate that the discrete problem has no solution: flow::recession(w) < 0.
+  bool exceeds_capacity(const State& w) const;
   /// K x, uncondensed: what the Jacobian check compares with differences of the residual.
   Eigen::VectorXd tangent_product(const State& x) const {
     return space_.product(tangents_, x);

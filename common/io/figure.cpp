@@ -57,12 +57,13 @@ std::string panel_script(const Panel& panel, const std::string& data, std::size_
     script += "set xtics rotate by -40 left\nunset grid\nunset key\nset cblabel " +
               quoted(map.value_label) +
               "\nset palette defined (0 '#f7fbff', 0.5 '#6baed6', 1 '#08306b')\n";
+    script += "set cbrange [0:" + exact(map.largest) + "]\n";
     script += "set xrange [-0.5:" + std::to_string(map.columns.size()) + "-0.5]\nset yrange [-0.5:" +
               std::to_string(map.rows.size()) + "-0.5]\nset object 1 rectangle from graph 0,0 to "
               "graph 1,1 fc rgb '#dddddd' behind\n";
-    script += "plot " + data + " index " + std::to_string(block) + " using 1:2:3 with image, " +
+    script += "plot " + data + " index " + std::to_string(block) + " using 1:2:3 with image pixels, " +
               data + " index " + std::to_string(block) +
-              " using 1:2:4 with labels font ',8' tc rgb '#d55e00'\n";
+              " using 1:2:4 with labels font ',11' tc rgb '#d55e00'\n";
     ++block;
     return script;
   }

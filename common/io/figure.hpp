@@ -24,6 +24,7 @@ struct Map {
   std::vector<std::vector<double>> values;      ///< values[row][column]
   std::vector<std::vector<std::string>> marks;  ///< same shape
   std::string value_label;
+  double largest = 1;  ///< end of the colour scale, which starts at 0
 };
 
 /// Axes with curves, or with a map.

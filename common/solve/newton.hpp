@@ -82,7 +82,8 @@ struct LineSearchResult {
 LineSearchResult search_energy_slope(double initial_slope, const std::function<double(double)>& slope);
 
 /// Solves R(state) = 0 in place. Every state accepted is recorded; on a failure the state is the
-/// last accepted one. `observe` sees each accepted state, the start included.
+/// last accepted one. `observe` sees each accepted state, the start included. A failure ends as
+/// no_steady_state if the problem can certify it (`exceeds_capacity`).
 template <NewtonProblem P>
 NewtonSummary newton(P& problem, typename P::State& state, const NewtonOptions& options = {},
                      const std::function<void(const typename P::State&)>& observe = {}) {
@@ -96,6 +97,8 @@ NewtonSummary newton(P& problem, typename P::State& state, const NewtonOptions& 
     if (observe) observe(state);
     const auto ended = [&](End end) {
       summary.end = end;
+      if constexpr (requires { problem.exceeds_capacity(state); })
+        if (!is_success(end) && problem.exceeds_capacity(state)) summary.end = End::no_steady_state;
       return summary;
     };
     if (!residual->is_finite()) return ended(End::non_finite);
@@ -120,11 +123,13 @@ NewtonSummary newton(P& problem, typename P::State& state, const NewtonOptions& 
       const double initial_slope = residual->value.dot(direction.value());
       found = search_energy_slope(initial_slope, slope_at);
       if (found.step == 0) {
-        // A slope smaller than its own rounding leaves nothing to search for.
+        // At the floor a slope may be smaller than its own rounding: nothing left to search for.
         problem.evaluate(state);
-        const double rounding = residual->round_off.dot(direction.value().cwiseAbs());
-        return ended(std::abs(initial_slope) <= rounding ? End::at_round_off_floor
-                                                         : End::line_search_failed);
+        const bool lost = std::abs(initial_slope) <=
+                          residual->round_off.dot(direction.value().cwiseAbs());
+        return ended(lost && residual->relative_norm() <= residual->relative_round_off()
+                         ? End::at_round_off_floor
+                         : End::line_search_failed);
       }
     }
     summary.history.back().step = found.step;

@@ -1,0 +1,26 @@
+// Whether a load exceeds what the material can carry on a mesh.
+#pragma once
+
+#include <span>
+
+#include "common/flow/cross_section.hpp"
+#include "common/rheology/friction_law.hpp"
+
+namespace talus::flow {
+
+/// Σ w μ2 p|grad u| - f·u: the rate at which the energy grows along u, to infinity. Negative for some
+/// u: the energy falls without bound, and the discrete problem has no solution.
+/// `pressure` at the quadrature points, `load` at the nodes.
+template <int Dim>
+double recession(const CrossSection<Dim>& space, const rheology::FrictionLaw& law,
+                 std::span<const double> pressure, const Eigen::VectorXd& load,
+                 const solve::CompensatedVector& u) {
+  std::vector<typename CrossSection<Dim>::Vector> g;
+  space.gradients(u, g);
+  double sum = -load.dot(u.value());
+  for (std::size_t k = 0; k < g.size(); ++k)
+    sum += space.points()[k].weight * law.mu_2() * pressure[k] * g[k].norm();
+  return sum;
+}
+
+}  // namespace talus::flow

@@ -1,0 +1,268 @@
+// Work and precision: error against CPU time, the Pareto front, and the cheapest way to an error.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+
+#include "common/io/stopwatch.hpp"
+#include "verification/chapter.hpp"
+#include "verification/methods.hpp"
+
+namespace talus::verification {
+namespace {
+
+/// One way to solve a scene: what it costs and how far it gets.
+struct Run {
+  std::string method, mesh;
+  int elements;
+  int iterations;
+  double seconds, error;
+  bool on_front = false;
+};
+
+// The smallest of several repetitions: other processes only ever add time.
+oned::Solution timed(const oned::ShearScene& scene, const std::vector<double>& line,
+                     const oned::SolveOptions& options) {
+  constexpr double enough = 5e-3;
+  constexpr int most = 20;
+  oned::Solution best = oned::solve(scene, line, options);
+  double total = best.seconds;
+  for (int i = 1; i < most && total < enough; ++i) {
+    oned::Solution again = oned::solve(scene, line, options);
+    total += again.seconds;
+    if (again.seconds < best.seconds) best = std::move(again);
+  }
+  return best;
+}
+
+std::vector<NamedMethod> compared_methods() {
+  std::vector<NamedMethod> methods;
+  for (const double lambda_r : {1e-4, 1e-6, 1e-8, 1e-10})
+    for (NamedMethod method : newton_methods(lambda_r)) {
+      method.label += ", λr " + short_power(lambda_r);
+      methods.push_back(method);
+    }
+  NamedMethod interior = reference_method();
+  methods.push_back(interior);
+  interior.label += ", gap 1e-10";
+  interior.options.interior_point.tolerance = 1e-10;
+  methods.push_back(interior);
+  return methods;
+}
+
+void mark_front(std::vector<Run>& runs) {
+  std::sort(runs.begin(), runs.end(),
+            [](const Run& a, const Run& b) { return a.seconds < b.seconds; });
+  double best = std::numeric_limits<double>::infinity();
+  for (Run& run : runs) {
+    run.on_front = run.error < best;
+    best = std::min(best, run.error);
+  }
+}
+
+io::Figure front_figure(const oned::ShearScene& scene, const std::vector<Run>& runs) {
+  io::Figure figure{"cost_" + scene.name,
+                    "L2 error against CPU time of one solve (best of several): every point is a "
+                    "mesh. The line is the Pareto front: nothing cheaper is as accurate.",
+                    {},
+                    2};
+  for (const auto& order_case : scene.order_cases) {
+    io::Panel panel{scene.name + ", " + order_case.name, "CPU seconds", "L2 error", true, true, {}};
+    std::vector<std::string> labels;
+    for (const Run& run : runs)
+      if (run.mesh == order_case.name &&
+          std::find(labels.begin(), labels.end(), run.method) == labels.end())
+        labels.push_back(run.method);
+    std::sort(labels.begin(), labels.end());
+    for (const std::string& label : labels) {
+      if (label.find("bercovier") == 0 || label.find("papan") == 0) continue;  // as eq. (12)
+      io::Curve curve{label, {}, {}};
+      std::vector<const Run*> of_label;
+      for (const Run& run : runs)
+        if (run.mesh == order_case.name && run.method == label) of_label.push_back(&run);
+      std::sort(of_label.begin(), of_label.end(),
+                [](const Run* a, const Run* b) { return a->elements < b->elements; });
+      for (const Run* run : of_label) {
+        curve.x.push_back(run->seconds);
+        curve.y.push_back(run->error);
+      }
+      panel.curves.push_back(curve);
+    }
+    panel.key = "outside right";
+    figure.panels.push_back(panel);
+  }
+  io::Panel front{scene.name + ", all meshes and methods", "CPU seconds", "L2 error", true, true,
+                  {}};
+  io::Curve all{"every run", {}, {}, io::Style::points}, best{"Pareto front", {}, {}};
+  for (const Run& run : runs) {
+    io::Curve& curve = run.on_front ? best : all;
+    curve.x.push_back(run.seconds);
+    curve.y.push_back(run.error);
+  }
+  front.curves = {all, best};
+  figure.panels.push_back(front);
+  return figure;
+}
+
+void cheapest(io::Table& table, const oned::ShearScene& scene, const std::vector<Run>& runs) {
+  for (const double target : {1e-3, 1e-6, 1e-9}) {
+    const auto found = std::find_if(runs.begin(), runs.end(), [&](const Run& run) {
+      return run.error <= target;
+    });  // runs ascend in time
+    if (found == runs.end()) {
+      table.rows.push_back({scene.name, short_power(target), "none of them", "", "", "", "", ""});
+      continue;
+    }
+    table.rows.push_back({scene.name, short_power(target), found->method, found->mesh,
+                          std::to_string(found->elements), std::to_string(found->iterations),
+                          io::rounded(found->error, 2), io::rounded(1e3 * found->seconds, 2)});
+  }
+}
+
+// Residual, tangent and solve of one Newton iteration, per element.
+void kernel_speed(Chapter& chapter) {
+  io::Table table{"Nanoseconds of CPU time per element and Newton iteration (residual, tangent, "
+                  "condensation, solve and line search), and per factorisation of the interior "
+                  "point; one thread",
+                  {"scene", "method", "elements", "ns"},
+                  {}};
+  constexpr int repetitions = 9;
+  for (const auto& scene : oned::scenes())
+    for (const int elements : {1000, 4000}) {
+      const auto line = oned::boundaries(scene, {.elements = elements});
+      std::vector<NamedMethod> methods = newton_methods(1e-6);
+      methods.push_back(reference_method());
+      for (const NamedMethod& method : methods) {
+        double best = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < repetitions; ++i) {
+          auto space = oned::space_of(scene, line);
+          double seconds;
+          int iterations;
+          if (method.options.method == oned::Method::newton) {
+            auto problem = oned::regularised_problem(scene, space, method.options);
+            solve::CompensatedVector w(space.node_count());
+            const io::Stopwatch watch;
+            iterations = solve::newton(problem, w, method.options.newton).iterations();
+            seconds = watch.seconds();
+          } else {
+            auto problem = oned::unregularised_problem(scene, space);
+            auto state = problem.start();
+            const io::Stopwatch watch;
+            iterations = problem.solve(state, method.options.interior_point).factorisations();
+            seconds = watch.seconds();
+          }
+          best = std::min(best, seconds / iterations / elements);
+        }
+        table.rows.push_back({scene.name, method.label, std::to_string(elements),
+                              io::rounded(1e9 * best, 3)});
+      }
+    }
+  chapter.table(std::move(table));
+}
+
+// The whole program, from process start to the files written, if it stands beside this one.
+void process_speed(Chapter& chapter) {
+  std::error_code error;
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  io::Table table{"A whole program from process start to its files, milliseconds of wall time",
+                  {"program", "best of 5"},
+                  {}};
+  for (const auto& scene : oned::scenes()) {
+    const auto program = folder / scene.name;
+    if (error || !std::filesystem::exists(program)) {
+      chapter.text("Skipped: the program " + scene.name + " does not stand beside verify.");
+      continue;
+    }
+    const auto output = std::filesystem::temp_directory_path() /
+                        ("talus-" + scene.name + "-" + std::to_string(std::rand()));
+    const std::string command =
+        "'" + program.string() + "' --output '" + output.string() + "' >/dev/null 2>&1";
+    double best = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 5; ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      if (std::system(command.c_str()) != 0) break;
+      best = std::min(best, std::chrono::duration<double, std::milli>(
+                                std::chrono::steady_clock::now() - start)
+                                .count());
+    }
+    std::filesystem::remove_all(output, error);
+    table.rows.push_back({scene.name, io::rounded(best, 3)});
+  }
+  chapter.table(std::move(table));
+}
+
+// What keeping the iterate's rounding costs.
+void precision_cost(Chapter& chapter) {
+  io::Table table{"Newton's iterate in double, and in double with its rounding kept; eq. (12), 320 "
+                  "elements",
+                  {"scene", "λr", "precision", "end", "iterations", "residual", "L2 distance to the "
+                   "interior point", "CPU ms", "ratio of times"},
+                  {}};
+  for (const auto& scene : oned::scenes()) {
+    const auto line = oned::boundaries(scene, {.elements = 320});
+    const auto reference = oned::solve(scene, line, reference_method().options);
+    for (const double lambda_r : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
+      NamedMethod method = newton_method(rheology::ChauchatMedale{}, lambda_r);
+      double plain_seconds = 0;
+      for (const auto precision : {solve::Precision::plain, solve::Precision::compensated}) {
+        method.options.precision = precision;
+        const auto solution = timed(scene, line, method.options);
+        const bool is_plain = precision == solve::Precision::plain;
+        if (is_plain) plain_seconds = solution.seconds;
+        table.rows.push_back({scene.name, short_power(lambda_r),
+                              is_plain ? "plain" : "compensated", solve::name_of(solution.end),
+                              std::to_string(solution.iterations()),
+                              io::rounded(solution.newton.newton.final_residual(), 2),
+                              io::rounded(oned::distance(solution, reference).l2, 3),
+                              io::rounded(1e3 * solution.seconds, 3),
+                              is_plain ? "" : io::rounded(solution.seconds / plain_seconds, 2)});
+      }
+    }
+  }
+  chapter.table(std::move(table));
+}
+
+}  // namespace
+
+Chapter cost_study(const Context& context) {
+  Chapter chapter{"cost", "What is the cheapest way to a given error?", {}, {}};
+  chapter.text(
+      "CPU time of the solving thread, set-up included, best of several runs. Times depend on the "
+      "machine; compare within one report only. No time is a pass or a failure here.");
+  io::Table table{"Cheapest way to an L2 error",
+                  {"scene", "L2 error", "method", "mesh", "elements", "iterations", "reached",
+                   "CPU ms"},
+                  {}};
+  const auto scenes = oned::scenes();
+  const auto methods = compared_methods();
+  std::size_t done = 0;
+  int failures = 0;
+  for (const auto& scene : scenes) {
+    std::vector<Run> runs;
+    for (const NamedMethod& method : methods) {
+      for (const auto& order_case : scene.order_cases)
+        for (const int elements : doubled_elements(context.full ? 5120 : 1280)) {
+          oned::MeshOptions mesh = order_case.mesh;
+          mesh.elements = elements;
+          const auto solution =
+              timed(scene, oned::boundaries(scene, mesh), method.options);
+          failures += solve::is_success(solution.end) ? 0 : 1;
+          runs.push_back({method.label, order_case.name, elements, solution.iterations(),
+                          solution.seconds, oned::errors(solution, scene).l2});
+        }
+      context.progress(0.9 * static_cast<double>(++done) /
+                       static_cast<double>(scenes.size() * methods.size()));
+    }
+    mark_front(runs);
+    chapter.figure(front_figure(scene, runs));
+    cheapest(table, scene, runs);
+  }
+  chapter.check("solves that did not succeed", failures, 0, 0);
+  chapter.table(std::move(table));
+  precision_cost(chapter);
+  kernel_speed(chapter);
+  process_speed(chapter);
+  return chapter;
+}
+
+}  // namespace talus::verification

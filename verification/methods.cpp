@@ -1,0 +1,41 @@
+#include "verification/methods.hpp"
+
+#include <cmath>
+
+#include "common/io/table.hpp"
+
+namespace talus::verification {
+
+NamedMethod reference_method() {
+  NamedMethod method{"interior point", {}};
+  method.options.method = oned::Method::interior_point;
+  method.options.interior_point.tolerance = 1e-14;
+  return method;
+}
+
+NamedMethod newton_method(const rheology::Regularisation& regularisation, double lambda_r) {
+  NamedMethod method{rheology::name_of(regularisation), {}};
+  method.options.regularisation = regularisation;
+  method.options.lambda_r = lambda_r;
+  method.options.continuation = false;
+  return method;
+}
+
+std::vector<NamedMethod> newton_methods(double lambda_r) {
+  std::vector<NamedMethod> methods;
+  for (const auto& regularisation : rheology::regularisations())
+    methods.push_back(newton_method(regularisation, lambda_r));
+  return methods;
+}
+
+std::vector<int> doubled_elements(int largest) {
+  std::vector<int> elements;
+  for (int n = 5; n <= largest; n *= 2) elements.push_back(n);
+  return elements;
+}
+
+std::string short_power(double value) {
+  return "1e" + std::to_string(static_cast<int>(std::lround(std::log10(value))));
+}
+
+}  // namespace talus::verification

@@ -1,0 +1,33 @@
+// The ways to solve a one-dimensional scene that the studies compare.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "oned/errors.hpp"
+#include "oned/scenes.hpp"
+#include "oned/solver.hpp"
+
+namespace talus::verification {
+
+/// A labelled set of solver options.
+struct NamedMethod {
+  std::string label;
+  oned::SolveOptions options;
+};
+
+/// The interior point, to the round-off of its duality gap: what regularised answers are measured
+/// against.
+NamedMethod reference_method();
+/// Newton from rest, without the fallback to continuation.
+NamedMethod newton_method(const rheology::Regularisation& regularisation, double lambda_r);
+/// Newton with every regularisation of the registry.
+std::vector<NamedMethod> newton_methods(double lambda_r);
+
+/// 5, 10, 20, ... up to `largest`.
+std::vector<int> doubled_elements(int largest);
+
+/// "1e-06" as "1e-6".
+std::string short_power(double value);
+
+}  // namespace talus::verification

@@ -1,0 +1,15 @@
+#include "verification/chapter.hpp"
+
+namespace talus::verification {
+
+const std::vector<Study>& studies() {
+  static const std::vector<Study> all = {
+      {"jacobian", "Is every tangent the derivative of its residual?", jacobian_study},
+      {"orders", "Does the error fall with the element size as theory says?", orders_study},
+      {"paper", "Which figures of the paper do we reproduce, and which not?", paper_study},
+      {"cost", "What is the cheapest way to a given error?", cost_study},
+      {"stability", "Where do the methods fail, and do they say so?", stability_study}};
+  return all;
+}
+
+}  // namespace talus::verification
