@@ -22,7 +22,6 @@ int main(int argc, char** argv) {
   oned::add_options(app, options, "bagnold");
   return io::run_program(app, argc, argv, [&] {
     bagnold.law = friction_law(options);
-    return run(scene_of(bagnold), options,
-               {{"angle", bagnold.angle}, {"height", bagnold.height}});
+    return run(scene_of(bagnold), options, {{"angle", bagnold.angle}, {"height", bagnold.height}});
   });
 }

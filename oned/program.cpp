@@ -20,10 +20,10 @@ SolveOptions solve_options(const ProgramOptions& options) {
   result.regularisation = *rheology::regularisation_named(options.regularisation);
   result.lambda_r = options.lambda_r;
   result.continuation = !options.no_continuation;
-  result.precision = options.precision == "plain" ? solve::Precision::plain
-                                                  : solve::Precision::compensated;
-  result.newton.line_search = options.line_search == "none" ? solve::LineSearch::none
-                                                            : solve::LineSearch::energy_slope;
+  result.precision =
+      options.precision == "plain" ? solve::Precision::plain : solve::Precision::compensated;
+  result.newton.line_search =
+      options.line_search == "none" ? solve::LineSearch::none : solve::LineSearch::energy_slope;
   result.tangent_term = options.tangent == "full"     ? flow::TangentTerm::full
                         : options.tangent == "frozen" ? flow::TangentTerm::frozen
                                                       : flow::TangentTerm::wrong_sign;
@@ -157,8 +157,8 @@ int run(const ShearScene& scene, const ProgramOptions& options, const nlohmann::
             << iterations;
   if (options.plot) {
     const io::Figure figure = profile_figure(scene, {{options.method, &solution}});
-    const bool drawn = io::write_figure(folder, figure, "png") &&
-                       io::write_figure(folder, figure, "svg");
+    const bool drawn =
+        io::write_figure(folder, figure, "png") && io::write_figure(folder, figure, "svg");
     std::cout << (drawn ? " profile.svg profile.png" : " (no figure: gnuplot is missing)");
   }
   std::cout << '\n';

@@ -1,4 +1,5 @@
-// The programs `chute` and `bagnold`: one main each for the scene's own options, and this for the rest.
+// The programs `chute` and `bagnold`: one main each for the scene's own options, and this for the
+// rest.
 #pragma once
 
 #include <CLI/CLI.hpp>

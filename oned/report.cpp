@@ -77,8 +77,7 @@ json summary(const ShearScene& scene, const RunParameters& parameters, const Sol
     all["interior_point"] = interior_point_as_json(solution.interior_point);
   all["seconds"] = solution.seconds;
   const Errors error = errors(solution, scene);
-  const double exact_max =
-      std::max(scene.exact_velocity(0), scene.exact_velocity(scene.length));
+  const double exact_max = std::max(scene.exact_velocity(0), scene.exact_velocity(scene.length));
   all["results"] = {{"max_velocity", solution.velocity.value().lpNorm<Eigen::Infinity>()},
                     {"exact_max_velocity", exact_max},
                     {"error_l2", error.l2},
@@ -106,8 +105,8 @@ io::Table profile_table(const ShearScene& scene, const Solution& solution) {
     const auto& nodes = solution.space.mesh().elements[k / solution.space.points_per_element()];
     double velocity = 0;
     for (std::size_t a = 0; a < nodes.size(); ++a)
-      velocity += points[k].values[static_cast<Eigen::Index>(a)] *
-                  solution.velocity.value()[nodes[a]];
+      velocity +=
+          points[k].values[static_cast<Eigen::Index>(a)] * solution.velocity.value()[nodes[a]];
     const double exact_rate = scene.exact_shear_rate(x);
     table.rows.push_back({});
     for (const double value :
@@ -141,32 +140,43 @@ io::Table iteration_table(const Solution& solution) {
 
 io::Figure profile_figure(const ShearScene& scene,
                           const std::vector<std::pair<std::string, const Solution*>>& solutions) {
-  constexpr std::size_t coordinate = 0;
   struct Quantity {
-    std::string title, label;
-    std::size_t column;
+    std::string title, label, key;
+    std::size_t column;  // of the computed values in the profile table; the exact ones follow
+    bool is_error;
   };
+  const std::string rate = "|d" + scene.velocity + "/d" + scene.coordinate + "|";
   const std::vector<Quantity> quantities = {
-      {"velocity", scene.velocity + " / sqrt(gd)", 1},
-      {"inertial number", "I", 5},
-      {"shear rate", "|d" + scene.velocity + "/d" + scene.coordinate + "| / sqrt(g/d)", 3},
-      {"shear stress", "τ / φρgd", 7}};
-  io::Figure figure{"profile", scene.title + " against the exact profiles", {}, 2};
+      {"velocity", scene.velocity + " / sqrt(gd)", "center center", 1, false},
+      {"shear rate", rate + " / sqrt(g/d)", "center center", 3, false},
+      {"inertial number", "I", "center center", 5, false},
+      {"shear stress", "τ / φρgd", "top center", 7, false},
+      {"error of the velocity", "|error| / sqrt(gd)", "bottom left", 1, true},
+      {"error of the shear rate", "|error| / sqrt(g/d)", "bottom left", 3, true}};
+  io::Figure figure{"profile", scene.title + " against the exact profiles", {}, 3};
   for (const Quantity& quantity : quantities) {
-    io::Panel panel{quantity.title, scene.coordinate + " / d", quantity.label, false, false, {}};
+    io::Panel panel{quantity.title,    scene.coordinate + " / d",
+                    quantity.label,    false,
+                    quantity.is_error, {},
+                    std::nullopt,      quantity.key};
+    io::Curve exact{"exact", {}, {}, io::Style::line};
     for (const auto& [label, solution] : solutions) {
       io::Curve computed{label, {}, {}, io::Style::points};
-      io::Curve exact{"exact", {}, {}, io::Style::line};
+      exact.x.clear();
+      exact.y.clear();
       for (const auto& row : profile_table(scene, *solution).rows) {
-        computed.x.push_back(std::stod(row[coordinate]));
-        computed.y.push_back(std::stod(row[quantity.column]));
+        const double value = std::stod(row[quantity.column]);
+        const double exact_value = std::stod(row[quantity.column + 1]);
+        const double error = std::abs(value - exact_value);
+        if (quantity.is_error && error == 0) continue;  // no place on a logarithmic axis
+        computed.x.push_back(std::stod(row[0]));
+        computed.y.push_back(quantity.is_error ? error : value);
         exact.x.push_back(computed.x.back());
-        exact.y.push_back(std::stod(row[quantity.column + 1]));
+        exact.y.push_back(exact_value);
       }
       panel.curves.push_back(computed);
-      if (solution == solutions.back().second) panel.curves.push_back(exact);
     }
-    panel.key = "top center";
+    if (!quantity.is_error) panel.curves.push_back(exact);
     figure.panels.push_back(panel);
   }
   return figure;

@@ -27,8 +27,8 @@ nlohmann::json refusal(const ShearScene& scene, const RunParameters& parameters)
 io::Table profile_table(const ShearScene& scene, const Solution& solution);
 /// One row an iteration of Newton or of the interior point.
 io::Table iteration_table(const Solution& solution);
-/// Velocity, shear rate, I and stress against the exact profiles (the paper's Figs 2, 4 and 6).
-/// `solutions` are drawn over each other with their labels.
+/// Velocity, shear rate, I and stress against the exact profiles (the paper's Figs 2, 4 and 6), and
+/// the errors of the first two. `solutions` are drawn over each other with their labels.
 io::Figure profile_figure(const ShearScene& scene,
                           const std::vector<std::pair<std::string, const Solution*>>& solutions);
 

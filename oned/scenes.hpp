@@ -1,5 +1,5 @@
-// The registry of one-dimensional scenes, with the paper's parameters. A scene added here appears in
-// every study and chart.
+// The registry of one-dimensional scenes, with the paper's parameters. A scene added here appears
+// in every study and chart.
 #pragma once
 
 #include <vector>
@@ -9,6 +9,8 @@
 
 namespace talus::oned {
 
-inline std::vector<ShearScene> scenes() { return {scene_of(Chute{}), scene_of(Bagnold{})}; }
+inline std::vector<ShearScene> scenes() {
+  return {scene_of(Chute{}), scene_of(Bagnold{})};
+}
 
 }  // namespace talus::oned

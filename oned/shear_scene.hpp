@@ -1,7 +1,7 @@
 // A scene of unidirectional flow across a line: what chute and bagnold have in common.
 //
-// Dimensionless as in the paper: lengths in d, stress in φρgd, velocity in sqrt(gd). The velocity is
-// positive along the driving force.
+// Dimensionless as in the paper: lengths in d, stress in φρgd, velocity in sqrt(gd). The velocity
+// is positive along the driving force.
 #pragma once
 
 #include <functional>
@@ -16,8 +16,9 @@ namespace talus::oned {
 /// How a line is divided; see fem::graded_line and fem::aligned_line.
 struct MeshOptions {
   int elements = 40;
-  double grading = 1;                          ///< exponent, 1 = uniform
-  std::optional<double> align = std::nullopt;  ///< place of the yield point in its element, 0 = node
+  double grading = 1;  ///< exponent, 1 = uniform
+  std::optional<double> align =
+      std::nullopt;  ///< place of the yield point in its element, 0 = node
 };
 
 /// Orders of convergence in the four norms of Errors, with the allowed distance from each.
@@ -39,7 +40,8 @@ struct ShearScene;
 /// The load of a scene, varied past both limits of existence.
 struct LoadSweep {
   std::string symbol;
-  double rest = 0, usual = 0, fast = 0;  ///< a load at rest, one that flows, one past the fast limit
+  double rest = 0, usual = 0,
+         fast = 0;  ///< a load at rest, one that flows, one past the fast limit
   std::function<ShearScene(double load)> scene;
 };
 

@@ -46,10 +46,8 @@ void solve_by_interior_point(const ShearScene& scene, const SolveOptions& option
   solution.interior_point = problem.solve(state, options.interior_point);
   solution.end = solution.interior_point.end;
   solution.velocity = state.velocity;
-  std::vector<Position> gradients;
-  solution.space.gradients(state.velocity, gradients);
-  for (std::size_t k = 0; k < gradients.size(); ++k) {
-    solution.shear_rate.push_back(gradients[k].norm());
+  for (std::size_t k = 0; k < state.gradient.size(); ++k) {
+    solution.shear_rate.push_back(state.gradient[k].norm());
     solution.stress.push_back(state.stress[k].norm());
   }
 }
@@ -102,11 +100,12 @@ std::vector<NamedCheck> check_jacobian(const ShearScene& scene, std::span<const 
     flow::ShearFlow<1> problem = regularised_problem(scene, solution.space, options);
     const double scale = std::max(1e-3, solution.velocity.value().lpNorm<Eigen::Infinity>());
     const solve::CompensatedVector rest(solution.space.node_count());
-    for (const auto& [name, share] : {std::pair{"at rest", 0.0}, {"half way", 0.5}, {"solution", 1.0}})
-      checks.push_back({name, solve::check_jacobian(
-                                  flow::jacobian_problem(problem, solution.space,
-                                                         rest.moved(share, solution.velocity)),
-                                  scale)});
+    for (const auto& [name, share] :
+         {std::pair{"at rest", 0.0}, {"half way", 0.5}, {"solution", 1.0}})
+      checks.push_back(
+          {name, solve::check_jacobian(flow::jacobian_problem(problem, solution.space,
+                                                              rest.moved(share, solution.velocity)),
+                                       scale)});
     return checks;
   }
   flow::CrossSection<1> space = space_of(scene, boundaries);

@@ -35,9 +35,9 @@ struct Solution {
   solve::CompensatedVector velocity;  ///< at the nodes
   std::vector<double> shear_rate, stress;
   solve::End end = solve::End::stagnated;
-  solve::ContinuationSummary newton;           ///< of Newton
-  flow::InteriorPointSummary interior_point;   ///< of the interior point
-  double seconds = 0;                          ///< CPU time of the solve, set-up included
+  solve::ContinuationSummary newton;          ///< of Newton
+  flow::InteriorPointSummary interior_point;  ///< of the interior point
+  double seconds = 0;                         ///< CPU time of the solve, set-up included
 
   /// Newton iterations in all, or factorisations of the interior point.
   int iterations() const;
@@ -51,8 +51,8 @@ flow::ShearFlow<1> regularised_problem(const ShearScene& scene, flow::CrossSecti
 /// The problem of the interior point; `space` must outlive it.
 flow::InteriorPoint<1> unregularised_problem(const ShearScene& scene, flow::CrossSection<1>& space);
 
-/// Solves from rest or `options.start`. The load limits are the caller's business: a mesh may return numbers for a flow
-/// that does not exist.
+/// Solves from rest or `options.start`. The load limits are the caller's business: a mesh may
+/// return numbers for a flow that does not exist.
 Solution solve(const ShearScene& scene, std::span<const double> boundaries,
                const SolveOptions& options);
 

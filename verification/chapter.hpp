@@ -8,6 +8,7 @@
 
 #include "common/io/figure.hpp"
 #include "common/io/table.hpp"
+#include "oned/shear_scene.hpp"
 
 namespace talus::verification {
 
@@ -50,6 +51,9 @@ struct Study {
 
 /// The registry, in the order of the report.
 const std::vector<Study>& studies();
+
+/// The orders study of these scenes: every case they declare, against their exact solutions.
+Chapter orders_of(const std::vector<oned::ShearScene>& scenes, const Context& context);
 
 Chapter jacobian_study(const Context& context);
 Chapter orders_study(const Context& context);

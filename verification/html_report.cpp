@@ -14,7 +14,7 @@ h1{margin-bottom:.2em}h2{margin-top:2.2em;border-bottom:2px solid #0072b2;paddin
 table{border-collapse:collapse;margin:1em 0;font-size:13px;display:block;overflow-x:auto}
 caption{text-align:left;font-weight:600;padding:.3em 0}
 th,td{border:1px solid #ccc;padding:.25em .6em;text-align:left;vertical-align:top}
-th{background:#f0f4f8}figure{margin:1.2em 0}figure img{width:100%;border:1px solid #ddd}
+th{background:#f0f4f8}figure{margin:1.2em 0}figure img{max-width:100%;border:1px solid #ddd}
 figcaption{font-size:14px;color:#444}code{background:#f3f3f3;padding:.1em .3em}
 .pass{color:#00704a;font-weight:600}.fail{color:#c0392b;font-weight:700}
 details{margin:1em 0}summary{cursor:pointer;font-weight:600}nav a{margin-right:1.2em}
@@ -23,11 +23,20 @@ details{margin:1em 0}summary{cursor:pointer;font-weight:600}nav a{margin-right:1
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += c;
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
     }
   return result;
 }
@@ -56,25 +65,30 @@ std::string file_contents(const std::filesystem::path& path) {
   return contents.str();
 }
 
+// Long tables are folded.
 std::string html_of(const io::Table& table) {
-  std::string html = "<table>";
-  if (!table.title.empty()) html += "<caption>" + escaped(table.title) + "</caption>";
+  constexpr std::size_t longest_open = 24;
+  const bool folded = table.rows.size() > longest_open;
+  std::string html = folded ? "<details><summary>" + escaped(table.title) + "</summary><table>"
+                            : "<table><caption>" + escaped(table.title) + "</caption>";
   const auto add = [&](const std::vector<std::string>& row, const std::string& tag) {
     html += "<tr>";
-    for (const std::string& cell : row)
-      html += "<" + tag + ">" + escaped(cell) + "</" + tag + ">";
+    for (const std::string& cell : row) html += "<" + tag + ">" + escaped(cell) + "</" + tag + ">";
     html += "</tr>\n";
   };
   add(table.header, "th");
   for (const auto& row : table.rows) add(row, "td");
-  return html + "</table>\n";
+  return html + (folded ? "</table></details>\n" : "</table>\n");
 }
 
 std::string html_of(const io::Figure& figure, const Written& written) {
   const std::string svg = file_contents(written.folder / (figure.name + ".svg"));
   std::string html = "<figure>";
-  html += svg.empty() ? "<p class=fail>Skipped: gnuplot drew no figure.</p>"
-                      : "<img alt=\"" + escaped(figure.caption) + "\" src=\"" + data_uri(svg) + "\">";
+  const auto columns = std::min(static_cast<std::size_t>(figure.columns), figure.panels.size());
+  html += svg.empty()
+              ? "<p class=fail>Skipped: gnuplot drew no figure.</p>"
+              : "<img width=" + std::to_string(std::min<std::size_t>(560 * columns, 1150)) +
+                    " alt=\"" + escaped(figure.caption) + "\" src=\"" + data_uri(svg) + "\">";
   return html + "<figcaption>" + escaped(figure.caption) + "<br><code>cd " +
          escaped(written.chapter.name) + " &amp;&amp; gnuplot " + figure.name +
          ".gp</code></figcaption></figure>\n";
@@ -89,8 +103,8 @@ std::string html_of(const std::vector<Check>& checks) {
                      "<tr><th>check<th>value<th>bounds<th></tr>\n";
   for (const Check& check : checks)
     html += "<tr><td>" + escaped(check.what) + "<td>" + io::rounded(check.value, 5) + "<td>[" +
-            io::rounded(check.lower, 5) + ", " + io::rounded(check.upper, 5) + "]<td class=" +
-            (check.passed() ? "pass>holds" : "fail>FAILS") + "</tr>\n";
+            io::rounded(check.lower, 5) + ", " + io::rounded(check.upper, 5) +
+            "]<td class=" + (check.passed() ? "pass>holds" : "fail>FAILS") + "</tr>\n";
   return html + "</table></details>\n";
 }
 
@@ -118,12 +132,11 @@ std::string html_report(const std::vector<Written>& chapters, const std::string&
   for (const Written& written : chapters) {
     const Chapter& chapter = written.chapter;
     passed = passed && chapter.passed();
-    summary += "<tr><td><a href=\"#" + chapter.name + "\">" + chapter.name + "</a><td>" +
-               escaped(chapter.title) + "<td class=" +
-               (chapter.passed() ? "pass>all " : "fail>not all ") +
-               std::to_string(chapter.checks.size()) + " hold<td>" +
-               io::rounded(written.seconds, 2) + "<td><code>./run verify " + chapter.name +
-               "</code></tr>\n";
+    summary +=
+        "<tr><td><a href=\"#" + chapter.name + "\">" + chapter.name + "</a><td>" +
+        escaped(chapter.title) + "<td class=" + (chapter.passed() ? "pass>all " : "fail>not all ") +
+        std::to_string(chapter.checks.size()) + " hold<td>" + io::rounded(written.seconds, 2) +
+        "<td><code>./run verify " + chapter.name + "</code></tr>\n";
     body += "<h2 id=\"" + chapter.name + "\">" + escaped(chapter.title) + "</h2>\n" +
             html_of(chapter.checks);
     for (const auto& block : chapter.blocks) {
@@ -137,7 +150,8 @@ std::string html_report(const std::vector<Written>& chapters, const std::string&
   }
   return "<!doctype html><html lang=en><head><meta charset=utf-8><title>Talus: verification</title>"
          "<meta name=viewport content=\"width=device-width\"><style>" +
-         std::string(style) + "</style></head><body>\n<h1>Talus: verification report</h1>\n<p class=" +
+         std::string(style) +
+         "</style></head><body>\n<h1>Talus: verification report</h1>\n<p class=" +
          (passed ? "pass>Every check holds." : "fail>Some checks do not hold.") +
          "</p>\n<p>Steady dense granular flow with the μ(I) rheology: is the code right, what does "
          "an error cost, where do the methods fail?</p>\n<p>" +

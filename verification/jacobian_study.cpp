@@ -17,8 +17,8 @@ struct LawState {
 
 // In units that keep λr out of the definitions: the states scale with it.
 std::vector<LawState> law_states(double lambda_r) {
-  return {{"plug", 1e-3 * lambda_r, 28},          {"yield", lambda_r, 28},
-          {"just flowing", 30 * lambda_r, 28},    {"flow", 1, 28},
+  return {{"plug", 1e-3 * lambda_r, 28},           {"yield", lambda_r, 28},
+          {"just flowing", 30 * lambda_r, 28},     {"flow", 1, 28},
           {"tiny pressure", 1e-2, 0.1 * lambda_r}, {"negative pressure", 1e-2, -1}};
 }
 
@@ -29,18 +29,17 @@ solve::JacobianProblem law_problem(const rheology::Rheology& rheology, const Law
   solve::JacobianProblem problem;
   problem.size = 2;
   problem.residual = [=](const Eigen::VectorXd& x) {
-    const double eta = rheology
-                           .evaluate(state.shear_rate + rate_unit * x[0],
-                                     state.pressure + pressure_unit * x[1])
-                           .eta;
+    const double eta =
+        rheology
+            .evaluate(state.shear_rate + rate_unit * x[0], state.pressure + pressure_unit * x[1])
+            .eta;
     const Eigen::Vector2d value(eta, 0);
     return solve::Residual{value, value, 8 * std::numeric_limits<double>::epsilon() * value};
   };
   problem.product = [=](const Eigen::VectorXd& v) -> Eigen::VectorXd {
     const rheology::Viscosity at = rheology.evaluate(state.shear_rate, state.pressure);
-    return Eigen::Vector2d(at.d_eta_d_shear_rate * rate_unit * v[0] +
-                               at.d_eta_d_pressure * pressure_unit * v[1],
-                           0);
+    return Eigen::Vector2d(
+        at.d_eta_d_shear_rate * rate_unit * v[0] + at.d_eta_d_pressure * pressure_unit * v[1], 0);
   };
   problem.rows = {{"η", {0}}};
   problem.columns = {{"|γ|", {0}}, {"p", {1}}};
@@ -57,8 +56,14 @@ void check_the_law(Chapter& chapter) {
                   {}};
   double smallest = std::numeric_limits<double>::infinity();
   double worst_entry = 0;
-  io::Panel remainders{"remainder of η in both unknowns, λr = 1e-6, at yield", "step",
-                       "remainder / η", true, true, {}, std::nullopt, "top left"};
+  io::Panel remainders{"remainder of η in both unknowns, λr = 1e-6, at yield",
+                       "step",
+                       "remainder / η",
+                       true,
+                       true,
+                       {},
+                       std::nullopt,
+                       "top left"};
   for (const auto& regularisation : rheology::regularisations())
     for (const double lambda_r : {1e-2, 1e-6, 1e-10})
       for (const LawState& state : law_states(lambda_r)) {
@@ -136,7 +141,8 @@ void check_the_scenes(Chapter& chapter, const Context& context) {
                 0);
   chapter.table(std::move(table));
   chapter.text(
-      "The interior point is checked after 0, 3 and 6 steps instead; its rows are equilibrium, law, "
+      "The interior point is checked after 0, 3 and 6 steps instead; its rows are equilibrium, "
+      "law, "
       "product and alignment. A slope of 3 appears where the second derivative vanishes by "
       "symmetry, at rest. The negative controls are part of the study: the same check must reject "
       "a tangent whose η' is dropped or has the wrong sign.");

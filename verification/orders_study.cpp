@@ -33,8 +33,7 @@ Family measure(const oned::ShearScene& scene, const oned::OrderCase& order_case,
     mesh.elements = order_case.elements[i];
     const auto solution = oned::solve(scene, oned::boundaries(scene, mesh), method.options);
     family.push_back({scene.length / mesh.elements, oned::errors(solution, scene),
-                      oned::distance(solution, references[i]),
-                      oned::errors(references[i], scene)});
+                      oned::distance(solution, references[i]), oned::errors(references[i], scene)});
   }
   return family;
 }
@@ -59,12 +58,11 @@ struct Norm {
   double oned::Orders::*order;
 };
 
-const std::vector<Norm> norms = {{"L2", &oned::Errors::l2, &oned::Orders::l2},
-                                 {"maximum", &oned::Errors::max, &oned::Orders::max},
-                                 {"nodal maximum", &oned::Errors::nodal_max,
-                                  &oned::Orders::nodal_max},
-                                 {"paper's RMS", &oned::Errors::paper_rms,
-                                  &oned::Orders::paper_rms}};
+const std::vector<Norm> norms = {
+    {"L2", &oned::Errors::l2, &oned::Orders::l2},
+    {"maximum", &oned::Errors::max, &oned::Orders::max},
+    {"nodal maximum", &oned::Errors::nodal_max, &oned::Orders::nodal_max},
+    {"paper's RMS", &oned::Errors::paper_rms, &oned::Orders::paper_rms}};
 
 void fit_orders(Chapter& chapter, io::Table& table, const std::string& label,
                 const oned::OrderCase& order_case, const std::string& method,
@@ -73,9 +71,8 @@ void fit_orders(Chapter& chapter, io::Table& table, const std::string& label,
   for (const Norm& norm : norms) {
     const auto h = sizes(family, norm.error, false);
     if (!order_case.expected || h.size() < fewest_meshes) {
-      row.push_back(order_case.expected
-                        ? "floor (" + std::to_string(h.size()) + " meshes above)"
-                        : "no order");
+      row.push_back(order_case.expected ? "floor (" + std::to_string(h.size()) + " meshes above)"
+                                        : "none can be fitted");
       continue;
     }
     const double order = fitted_order(h, column(family, norm.error, false));
@@ -90,8 +87,7 @@ void fit_orders(Chapter& chapter, io::Table& table, const std::string& label,
 }
 
 io::Panel panel_of(const std::string& title, const Norm& norm) {
-  return {title + ": " + norm.name, "h / d", "error", true, true, {}, std::nullopt,
-          "bottom right"};
+  return {title + ": " + norm.name, "h / d", "error", true, true, {}, std::nullopt, "bottom right"};
 }
 
 void add_curves(io::Panel& panel, const std::string& label, const Family& family,
@@ -102,6 +98,14 @@ void add_curves(io::Panel& panel, const std::string& label, const Family& family
     error.push_back(each.error.*norm.error);
   }
   panel.curves.push_back({label, h, error});
+}
+
+void add_floor(io::Curve& at_floor, const Family& family, const Norm& norm) {
+  for (const Measured& each : family) {
+    if (!each.at_floor(norm.error)) continue;
+    at_floor.x.push_back(each.h);
+    at_floor.y.push_back(each.error.*norm.error);
+  }
 }
 
 void add_guide(io::Panel& panel, const oned::OrderCase& order_case, const Family& reference,
@@ -128,27 +132,30 @@ void study_case(Chapter& chapter, io::Table& table, io::Figure& figure,
     references.push_back(oned::solve(scene, oned::boundaries(scene, mesh), reference.options));
   }
   std::vector<io::Panel> panels = {panel_of(label, norms[0]), panel_of(label, norms[1])};
+  std::vector<io::Curve> at_floor(panels.size(), {"at the λr floor", {}, {}, io::Style::rings});
   const Family exact_law = measure(scene, order_case, reference, references);
   fit_orders(chapter, table, label, order_case, reference.label, exact_law);
+  const auto fit = [&](const std::string& method, const Family& family) {
+    if (order_case.expected) fit_orders(chapter, table, label, order_case, method, family);
+  };
   const auto show = [&](const std::string& name, const Family& family) {
     for (std::size_t i = 0; i < panels.size(); ++i) add_curves(panels[i], name, family, norms[i]);
   };
   show(reference.label, exact_law);
   for (const NamedMethod& method : newton_methods(1e-12)) {
     const Family family = measure(scene, order_case, method, references);
-    fit_orders(chapter, table, label, order_case, method.label + ", λr 1e-12", family);
+    fit(method.label + ", λr 1e-12", family);
   }
   for (const double lambda_r : {1e-4, 1e-6, 1e-8}) {
     const NamedMethod method = newton_method(rheology::ChauchatMedale{}, lambda_r);
     const Family family = measure(scene, order_case, method, references);
     const std::string name = "eq. (12), λr " + short_power(lambda_r);
-    fit_orders(chapter, table, label, order_case, name, family);
+    fit(name, family);
     show(name, family);
-    for (std::size_t i = 0; i < panels.size(); ++i)
-      panels[i].curves.push_back(
-          {"", sizes(family, norms[i].error, true), column(family, norms[i].error, true), io::Style::points});
+    for (std::size_t i = 0; i < panels.size(); ++i) add_floor(at_floor[i], family, norms[i]);
   }
   for (std::size_t i = 0; i < panels.size(); ++i) {
+    panels[i].curves.push_back(at_floor[i]);
     add_guide(panels[i], order_case, exact_law, norms[i]);
     figure.panels.push_back(panels[i]);
   }
@@ -156,7 +163,7 @@ void study_case(Chapter& chapter, io::Table& table, io::Figure& figure,
 
 }  // namespace
 
-Chapter orders_study(const Context& context) {
+Chapter orders_of(const std::vector<oned::ShearScene>& scenes, const Context& context) {
   Chapter chapter{"orders", "Does the error fall with the element size as theory says?", {}, {}};
   chapter.text(
       "Quadratic elements, exact solutions (17) and (18). Three norms are true ones; the paper's "
@@ -165,21 +172,23 @@ Chapter orders_study(const Context& context) {
       "on graded ones. The chute's profile has a kink in its slope at y0: order 3 with a node "
       "there, 2 with y0 at a fixed place inside an element, and none that could be fitted on plain "
       "uniform meshes, where y0 falls elsewhere in its element each time.");
-  io::Table table{"Fitted orders (expected). Meshes where the λr error, measured against the "
-                  "interior point on the same mesh, exceeds 3% of the mesh error in the same norm are left out.",
-                  {"case", "method", "L2", "maximum", "nodal maximum", "paper's RMS"},
-                  {}};
-  const auto scenes = oned::scenes();
+  io::Table table{
+      "Fitted orders (expected). Meshes where the λr error, measured against the "
+      "interior point on the same mesh, exceeds 3% of the mesh error in the same norm are left "
+      "out.",
+      {"case", "method", "L2", "maximum", "nodal maximum", "paper's RMS"},
+      {}};
   std::size_t cases = 0, done = 0;
   for (const auto& scene : scenes) cases += scene.order_cases.size();
   for (const auto& scene : scenes) {
-    io::Figure figure{"orders_" + scene.name,
-                      "Errors of the " + scene.title +
-                          " against element size. The interior point has no λr and so no floor; a "
-                          "regularised law leaves the mesh order where λr takes over (points drawn "
-                          "over).",
-                      {},
-                      2};
+    io::Figure figure{
+        "orders_" + scene.name,
+        "Errors of the " + scene.title +
+            " against element size. The interior point has no λr and so no floor; a "
+            "regularised law leaves the mesh order where λr takes over (ringed points "
+            "are left out of the fits).",
+        {},
+        2};
     for (oned::OrderCase order_case : scene.order_cases) {
       if (context.full) order_case.elements.push_back(2 * order_case.elements.back());
       study_case(chapter, table, figure, scene, order_case);
@@ -189,15 +198,18 @@ Chapter orders_study(const Context& context) {
   }
   chapter.table(std::move(table));
 
+  return chapter;
+}
+
+Chapter orders_study(const Context& context) {
+  Chapter chapter = orders_of(oned::scenes(), context);
   // The reference value of the graded mesh.
-  for (const auto& scene : scenes)
-    if (scene.name == "bagnold") {
-      const auto solution =
-          oned::solve(scene, oned::boundaries(scene, {.elements = 160, .grading = 2}),
-                      newton_method(rheology::ChauchatMedale{}, scene.lambda_r).options);
-      chapter.check("bagnold, graded (exponent 2), 160 elements: L2 error",
-                    oned::errors(solution, scene).l2, 0.9 * 2.5e-8, 1.1 * 2.5e-8);
-    }
+  const auto bagnold = scene_of(oned::Bagnold{});
+  const auto solution =
+      oned::solve(bagnold, oned::boundaries(bagnold, {.elements = 160, .grading = 2}),
+                  newton_method(rheology::ChauchatMedale{}, bagnold.lambda_r).options);
+  chapter.check("bagnold, graded (exponent 2), 160 elements: L2 error",
+                oned::errors(solution, bagnold).l2, 0.9 * 2.5e-8, 1.1 * 2.5e-8);
   return chapter;
 }
 

@@ -53,8 +53,8 @@ void print_chapter(const verification::Written& written) {
   const verification::Chapter& chapter = written.chapter;
   std::size_t held = 0;
   for (const auto& check : chapter.checks) held += check.passed() ? 1 : 0;
-  std::cout << chapter.name << ": " << held << " of " << chapter.checks.size()
-            << " checks hold (" << io::rounded(written.seconds, 2) << " CPU s)\n";
+  std::cout << chapter.name << ": " << held << " of " << chapter.checks.size() << " checks hold ("
+            << io::rounded(written.seconds, 2) << " CPU s)\n";
   for (const auto& check : chapter.checks)
     if (!check.passed())
       std::cout << "  FAILS: " << check.what << " = " << io::rounded(check.value, 5) << ", not in ["
@@ -64,9 +64,10 @@ void print_chapter(const verification::Written& written) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Verification of the μ(I) solvers: Jacobians, orders, the paper's figures, cost, "
-               "stability",
-               "verify"};
+  CLI::App app{
+      "Verification of the μ(I) solvers: Jacobians, orders, the paper's figures, cost, "
+      "stability",
+      "verify"};
   std::vector<std::string> names;
   bool full = false, list = false;
   std::string output = "results/verify";

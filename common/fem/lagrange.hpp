@@ -1,8 +1,9 @@
 // Quadratic Lagrange bases: P2 on the line and their tensor products, Q9 and H27.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
+
+#include <Eigen/Core>
 
 namespace talus::fem {
 
@@ -17,7 +18,9 @@ constexpr std::array<double, 3> quadratic_basis_derivative(double x) {
 }
 
 /// 3^dim: nodes of the quadratic tensor-product element.
-constexpr int quadratic_nodes(int dim) { return dim == 0 ? 1 : 3 * quadratic_nodes(dim - 1); }
+constexpr int quadratic_nodes(int dim) {
+  return dim == 0 ? 1 : 3 * quadratic_nodes(dim - 1);
+}
 
 /// All basis functions of the tensor-product element at one reference point.
 /// Node i + 3j + 9k sits at (i - 1, j - 1, k - 1); node (3^dim - 1)/2 is interior.

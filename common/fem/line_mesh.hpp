@@ -5,13 +5,13 @@
 
 namespace talus::fem {
 
-/// Boundaries of n elements on [start, end]: start + (end - start)(1 - (1 - i/n)^exponent), i = 0..n.
-/// Exponent 1 is uniform; a larger one refines towards `end`. n >= 1, exponent >= 1.
+/// Boundaries of n elements on [start, end]: start + (end - start)(1 - (1 - i/n)^exponent), i =
+/// 0..n. Exponent 1 is uniform; a larger one refines towards `end`. n >= 1, exponent >= 1.
 std::vector<double> graded_line(double start, double end, int elements, double exponent);
 
-/// Boundaries of n elements on [0, length] such that `point` lies at the fraction (in [0, 1)) of its
-/// element, 0 being a node. Elements are uniform up to the end of that element and, with the given
-/// grading, beyond it. Needs can_align(...).
+/// Boundaries of n elements on [0, length] such that `point` lies at the fraction (in [0, 1)) of
+/// its element, 0 being a node. Elements are uniform up to the end of that element and, with the
+/// given grading, beyond it. Needs can_align(...).
 std::vector<double> aligned_line(double length, int elements, double point, double fraction,
                                  double exponent);
 

@@ -95,8 +95,7 @@ CrossSection<Dim>::CrossSection(Mesh<Dim> mesh, int points_per_direction)
 }
 
 template <int Dim>
-void CrossSection<Dim>::gradients(const solve::CompensatedVector& w,
-                                  std::vector<Vector>& g) const {
+void CrossSection<Dim>::gradients(const solve::CompensatedVector& w, std::vector<Vector>& g) const {
   g.resize(points_.size());
   for (std::size_t e = 0, k = 0; e < element_count(); ++e) {
     const LongNodalValues relative = relative_velocities(w, e);
@@ -139,8 +138,7 @@ void CrossSection<Dim>::assemble(std::span<const Tangent> tangents) {
     Eigen::Matrix<double, n, n> matrix = Eigen::Matrix<double, n, n>::Zero();
     for (std::size_t q = 0; q < points_per_element(); ++q, ++k) {
       const auto& gradients = points_[k].gradients;
-      matrix.noalias() +=
-          gradients.transpose() * ((points_[k].weight * tangents[k]) * gradients);
+      matrix.noalias() += gradients.transpose() * ((points_[k].weight * tangents[k]) * gradients);
     }
     interior_pivots_[e] = matrix(interior, interior);
     interior_rows_[e] = matrix.col(interior) / interior_pivots_[e];
@@ -173,9 +171,8 @@ bool CrossSection<Dim>::solve(const Eigen::VectorXd& right_hand_side,
     double relative = right_hand_side[nodes[interior]] / interior_pivots_[e];
     for (int a = 1; a < nodes_per_element; ++a)
       if (a != interior)
-        relative -= interior_rows_[e][a] *
-                    static_cast<double>(
-                        solution.difference(nodes[static_cast<std::size_t>(a)], nodes[0]));
+        relative -= interior_rows_[e][a] * static_cast<double>(solution.difference(
+                                               nodes[static_cast<std::size_t>(a)], nodes[0]));
     solution.set_relative(nodes[interior], nodes[0], relative);
   }
   return solution.value().allFinite();

@@ -5,11 +5,12 @@
 // and the interior point build their linear systems here from values at the quadrature points.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <functional>
 #include <span>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "common/fem/lagrange.hpp"
 #include "common/solve/compensated_vector.hpp"

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "common/flow/load_capacity.hpp"
+#include "common/flow/second_order_cone.hpp"
 
 namespace talus::flow {
 namespace {
@@ -12,50 +13,17 @@ namespace {
 // Power of the load below which the gap is measured against the natural power instead.
 constexpr double smallest_power = 1e-12;
 
-// Largest α with |v + α dv| <= s + α ds, for |v| < s. Infinity if there is none.
-template <class Vector>
-double step_to_cone(double s, const Vector& v, double ds, const Vector& dv) {
-  const double norm = v.norm();
-  const double c = (s - norm) * (s + norm);
-  const double b = s * ds - v.dot(dv);
-  const double dv_norm = dv.norm();
-  const double a = (ds - dv_norm) * (ds + dv_norm);
-  const double discriminant = b * b - a * c;
-  if (discriminant < 0) return std::numeric_limits<double>::infinity();
-  const double denominator = -b + std::sqrt(discriminant);
-  return denominator > 0 ? c / denominator : std::numeric_limits<double>::infinity();
-}
-
-// Coefficients left when dt, dz and dτ are eliminated at a point.
 template <int Dim>
-struct Elimination {
-  using Vector = Eigen::Matrix<double, Dim, 1>;
-  double t, z, slope, pivot;  // slope = D''(t), pivot = K
-  Vector g, stress, alpha;
-
-  Elimination(double bound, double dual_bound, double law_slope, const Vector& gradient,
-              const Vector& tau)
-      : t(bound), z(dual_bound), slope(law_slope), g(gradient), stress(tau) {
-    alpha = (z / t) * g + stress;
-    const double norm = g.norm();
-    pivot = slope * (t - norm) * (t + norm) / t + z + g.dot(stress) / t;
+double longest_step(const ConeState<Dim>& state, const ConeStep<Dim>& step) {
+  double longest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < step.bound.size(); ++k) {
+    longest = std::min(
+        longest, step_to_cone(state.bound[k], state.gradient[k], step.bound[k], step.gradient[k]));
+    longest = std::min(longest, step_to_cone(state.dual_bound[k], state.stress[k],
+                                             step.dual_bound[k], step.stress[k]));
   }
-
-  Eigen::Matrix<double, Dim, Dim> tangent() const {
-    if constexpr (Dim == 1) {
-      // The general expression below, expanded: every term is positive, nothing cancels in flow.
-      const double excess = (z - std::abs(stress[0])) * (z + std::abs(stress[0]));
-      return Eigen::Matrix<double, 1, 1>((slope * (z * t + g[0] * stress[0]) + excess) /
-                                         (t * pivot));
-    } else {
-      // Symmetric on the central path; the symmetric part keeps one factorisation for all.
-      const Eigen::Matrix<double, Dim, Dim> rank_one =
-          (slope * g - stress) * alpha.transpose() / (t * pivot);
-      return (z / t) * Eigen::Matrix<double, Dim, Dim>::Identity() +
-             0.5 * (rank_one + rank_one.transpose());
-    }
-  }
-};
+  return longest;
+}
 
 }  // namespace
 
@@ -74,25 +42,29 @@ InteriorPoint<Dim>::InteriorPoint(Space& space, rheology::FrictionLaw law,
 
 template <int Dim>
 ConeState<Dim> InteriorPoint<Dim>::start() const {
-  ConeState<Dim> state{solve::CompensatedVector(space_.node_count()), {}, {}, {}};
+  ConeState<Dim> state;
+  state.velocity = solve::CompensatedVector(space_.node_count());
   for (const double p : pressure_) {
     state.bound.push_back(law_.reference_shear_rate(p));
     state.dual_bound.push_back(law_.stress(state.bound.back(), p));
   }
-  state.stress.assign(pressure_.size(), Vector::Zero());
+  state.gradient.assign(pressure_.size(), Vector::Zero());
+  state.stress = state.gradient;
   return state;
 }
 
 template <int Dim>
 ConeResidual<Dim> InteriorPoint<Dim>::residual(const ConeState<Dim>& state) const {
-  std::vector<Vector> g;
-  space_.gradients(state.velocity, g);
   ConeResidual<Dim> r{load_ - space_.internal_force(state.stress), {}, {}, {}};
-  for (std::size_t k = 0; k < g.size(); ++k) {
+  const std::size_t n = pressure_.size();
+  r.law.resize(n);
+  r.product.resize(n);
+  r.alignment.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
     const double t = state.bound[k], z = state.dual_bound[k];
-    r.law.push_back(law_.stress(t, pressure_[k]) - z);
-    r.product.push_back(t * z - g[k].dot(state.stress[k]));
-    r.alignment.push_back(z * g[k] - t * state.stress[k]);
+    r.law[k] = law_.stress(t, pressure_[k]) - z;
+    r.product[k] = t * z - state.gradient[k].dot(state.stress[k]);
+    r.alignment[k] = z * state.gradient[k] - t * state.stress[k];
   }
   return r;
 }
@@ -100,53 +72,63 @@ ConeResidual<Dim> InteriorPoint<Dim>::residual(const ConeState<Dim>& state) cons
 template <int Dim>
 ConeResidual<Dim> InteriorPoint<Dim>::linearised(const ConeState<Dim>& state,
                                                  const ConeStep<Dim>& step) const {
-  std::vector<Vector> g;
-  space_.gradients(state.velocity, g);
   ConeResidual<Dim> r{-space_.internal_force(step.stress), {}, {}, {}};
-  for (std::size_t k = 0; k < g.size(); ++k) {
+  for (std::size_t k = 0; k < pressure_.size(); ++k) {
     const double t = state.bound[k], z = state.dual_bound[k];
     const double dt = step.bound[k], dz = step.dual_bound[k];
     r.law.push_back(law_.stress_slope(t, pressure_[k]) * dt - dz);
-    r.product.push_back(t * dz + z * dt - g[k].dot(step.stress[k]) -
+    r.product.push_back(t * dz + z * dt - state.gradient[k].dot(step.stress[k]) -
                         step.gradient[k].dot(state.stress[k]));
-    r.alignment.push_back(z * step.gradient[k] + g[k] * dz - t * step.stress[k] -
+    r.alignment.push_back(z * step.gradient[k] + state.gradient[k] * dz - t * step.stress[k] -
                           state.stress[k] * dt);
   }
   return r;
 }
 
 template <int Dim>
+auto InteriorPoint<Dim>::eliminate(const ConeState<Dim>& state, std::size_t k) const -> Eliminated {
+  const double t = state.bound[k], z = state.dual_bound[k];
+  const Vector &g = state.gradient[k], &stress = state.stress[k];
+  const double norm = g.norm();
+  Eliminated point{t, law_.stress_slope(t, pressure_[k]), 0, g, stress, (z / t) * g + stress, {}};
+  point.pivot = point.slope * (t - norm) * (t + norm) / t + z + g.dot(stress) / t;
+  if constexpr (Dim == 1) {
+    // The general expression below, expanded: every term is positive, nothing cancels in flow.
+    const double excess = (z - std::abs(stress[0])) * (z + std::abs(stress[0]));
+    point.tangent(0, 0) = (point.slope * (z * t + g[0] * stress[0]) + excess) / (t * point.pivot);
+  } else {
+    // Symmetric on the central path; the symmetric part keeps one factorisation for all.
+    const typename Space::Tangent rank_one =
+        (point.slope * g - stress) * point.alpha.transpose() / (t * point.pivot);
+    point.tangent = (z / t) * Space::Tangent::Identity() + 0.5 * (rank_one + rank_one.transpose());
+  }
+  return point;
+}
+
+template <int Dim>
 void InteriorPoint<Dim>::assemble(const ConeState<Dim>& state) {
-  std::vector<Vector> g;
-  space_.gradients(state.velocity, g);
-  std::vector<typename Space::Tangent> tangents(g.size());
-  for (std::size_t k = 0; k < g.size(); ++k)
-    tangents[k] = Elimination<Dim>(state.bound[k], state.dual_bound[k],
-                                   law_.stress_slope(state.bound[k], pressure_[k]), g[k],
-                                   state.stress[k])
-                      .tangent();
+  std::vector<typename Space::Tangent> tangents(pressure_.size());
+  eliminated_.resize(pressure_.size());
+  for (std::size_t k = 0; k < tangents.size(); ++k) {
+    eliminated_[k] = eliminate(state, k);
+    tangents[k] = eliminated_[k].tangent;
+  }
   space_.assemble(tangents);
 }
 
 template <int Dim>
-bool InteriorPoint<Dim>::newton_step(const ConeState<Dim>& state,
-                                     const ConeResidual<Dim>& residual,
-                                     ConeStep<Dim>& step) const {
-  std::vector<Vector> g;
-  space_.gradients(state.velocity, g);
-  const std::size_t n = g.size();
+bool InteriorPoint<Dim>::newton_step(const ConeResidual<Dim>& residual, ConeStep<Dim>& step) const {
+  const std::size_t n = eliminated_.size();
   std::vector<double> constant(n);     // b:  dt = (α·dg + b)/K
   std::vector<Vector> stress_part(n);  // what dτ holds besides A dg
   for (std::size_t k = 0; k < n; ++k) {
-    const Elimination<Dim> point(state.bound[k], state.dual_bound[k],
-                                 law_.stress_slope(state.bound[k], pressure_[k]), g[k],
-                                 state.stress[k]);
-    const double law = residual.law[k];
-    const Vector alignment = g[k] * law + residual.alignment[k];
-    constant[k] = -residual.product[k] - point.t * law + g[k].dot(alignment) / point.t;
-    stress_part[k] = (point.slope * g[k] - state.stress[k]) *
-                         (constant[k] / (point.t * point.pivot)) +
-                     alignment / point.t;
+    const Eliminated& point = eliminated_[k];
+    const Vector alignment = point.gradient * residual.law[k] + residual.alignment[k];
+    constant[k] =
+        -residual.product[k] - point.t * residual.law[k] + point.gradient.dot(alignment) / point.t;
+    stress_part[k] =
+        (point.slope * point.gradient - point.stress) * (constant[k] / (point.t * point.pivot)) +
+        alignment / point.t;
   }
   const Eigen::VectorXd right = residual.equilibrium - space_.internal_force(stress_part);
   if (!space_.solve(right, step.velocity)) return false;
@@ -155,22 +137,20 @@ bool InteriorPoint<Dim>::newton_step(const ConeState<Dim>& state,
   step.dual_bound.resize(n);
   step.stress.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
-    const Elimination<Dim> point(state.bound[k], state.dual_bound[k],
-                                 law_.stress_slope(state.bound[k], pressure_[k]), g[k],
-                                 state.stress[k]);
-    const double along = point.alpha.dot(step.gradient[k]);
-    step.bound[k] = (along + constant[k]) / point.pivot;
+    const Eliminated& point = eliminated_[k];
+    step.bound[k] = (point.alpha.dot(step.gradient[k]) + constant[k]) / point.pivot;
     step.dual_bound[k] = point.slope * step.bound[k] + residual.law[k];
-    step.stress[k] = point.tangent() * step.gradient[k] + stress_part[k];
+    step.stress[k] = point.tangent * step.gradient[k] + stress_part[k];
   }
   return true;
 }
 
 template <int Dim>
 ConeState<Dim> InteriorPoint<Dim>::moved(const ConeState<Dim>& state, double length,
-                                         const ConeStep<Dim>& step) {
+                                         const ConeStep<Dim>& step) const {
   ConeState<Dim> result = state;
   result.velocity = state.velocity.moved(length, step.velocity);
+  space_.gradients(result.velocity, result.gradient);
   for (std::size_t k = 0; k < step.bound.size(); ++k) {
     result.bound[k] += length * step.bound[k];
     result.dual_bound[k] += length * step.dual_bound[k];
@@ -186,25 +166,19 @@ double InteriorPoint<Dim>::integral(const std::vector<double>& values) const {
   return sum;
 }
 
-template <int Dim>
-double InteriorPoint<Dim>::longest_step(const ConeState<Dim>& state,
-                                        const ConeStep<Dim>& step) const {
-  std::vector<Vector> g;
-  space_.gradients(state.velocity, g);
-  double longest = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < g.size(); ++k) {
-    longest = std::min(longest,
-                       step_to_cone(state.bound[k], g[k], step.bound[k], step.gradient[k]));
-    longest = std::min(longest, step_to_cone(state.dual_bound[k], state.stress[k],
-                                             step.dual_bound[k], step.stress[k]));
-  }
-  return longest;
-}
-
+// Σ w (t z - g·τ) after a step, without the rest of the residual.
 template <int Dim>
 double InteriorPoint<Dim>::predicted_gap(const ConeState<Dim>& state, double length,
                                          const ConeStep<Dim>& step) const {
-  return integral(residual(moved(state, length, step)).product);
+  double gap = 0;
+  for (std::size_t k = 0; k < pressure_.size(); ++k) {
+    const Vector g = state.gradient[k] + length * step.gradient[k];
+    const Vector stress = state.stress[k] + length * step.stress[k];
+    gap += space_.points()[k].weight * ((state.bound[k] + length * step.bound[k]) *
+                                            (state.dual_bound[k] + length * step.dual_bound[k]) -
+                                        g.dot(stress));
+  }
+  return gap;
 }
 
 template <int Dim>
@@ -218,8 +192,7 @@ template <int Dim>
 InteriorPointIteration InteriorPoint<Dim>::measure(const ConeState<Dim>& state,
                                                    const ConeResidual<Dim>& r) const {
   InteriorPointIteration record;
-  const double power =
-      std::max(load_.dot(state.velocity.value()), smallest_power * natural_power_);
+  const double power = std::max(load_.dot(state.velocity.value()), smallest_power * natural_power_);
   double contributions = 0;
   for (std::size_t k = 0; k < r.product.size(); ++k) {
     const double bounds = state.bound[k] * state.dual_bound[k];
@@ -227,8 +200,8 @@ InteriorPointIteration InteriorPoint<Dim>::measure(const ConeState<Dim>& state,
   }
   record.relative_gap = integral(r.product) / power;
   record.round_off = std::numeric_limits<double>::epsilon() * contributions / power;
-  record.equilibrium = r.equilibrium.template lpNorm<Eigen::Infinity>() /
-                       load_.template lpNorm<Eigen::Infinity>();
+  record.equilibrium =
+      r.equilibrium.template lpNorm<Eigen::Infinity>() / load_.template lpNorm<Eigen::Infinity>();
   return record;
 }
 
@@ -237,7 +210,7 @@ bool InteriorPoint<Dim>::advance(ConeState<Dim>& state, ConeResidual<Dim>& r,
                                  InteriorPointIteration& record, double step_to_boundary) {
   ConeStep<Dim> step;
   assemble(state);
-  if (!newton_step(state, r, step)) return false;
+  if (!newton_step(r, step)) return false;
   const double gap = integral(r.product);
   const double predictor_length = std::min(1.0, longest_step(state, step));
   const double ratio = std::max(predicted_gap(state, predictor_length, step), 0.0) / gap;
@@ -250,7 +223,7 @@ bool InteriorPoint<Dim>::advance(ConeState<Dim>& state, ConeResidual<Dim>& r,
                     target * point_power_[k];
     r.alignment[k] += step.dual_bound[k] * step.gradient[k] - step.bound[k] * step.stress[k];
   }
-  if (!newton_step(state, r, step)) return false;
+  if (!newton_step(r, step)) return false;
   record.step = std::min(1.0, step_to_boundary * longest_step(state, step));
   state = moved(state, record.step, step);
   return true;
@@ -283,10 +256,9 @@ InteriorPointSummary InteriorPoint<Dim>::solve(ConeState<Dim>& state,
     summary.history.push_back(now);
     const bool in_equilibrium = now.equilibrium <= equilibrium_tolerance;
     const bool is_finite = std::isfinite(now.relative_gap) && std::isfinite(now.equilibrium);
-    const bool is_better =
-        is_finite && now.relative_gap > 0 &&
-        (!was_in_equilibrium ||
-         (in_equilibrium && now.relative_gap < summary.last_good.relative_gap));
+    const bool is_better = is_finite && now.relative_gap > 0 &&
+                           (!was_in_equilibrium ||
+                            (in_equilibrium && now.relative_gap < summary.last_good.relative_gap));
     if (is_better) {
       good = state;
       summary.last_good = now;
@@ -298,12 +270,14 @@ InteriorPointSummary InteriorPoint<Dim>::solve(ConeState<Dim>& state,
     if (in_equilibrium && is_within_yield(state)) {
       // Rest is then the exact minimum of the discrete energy.
       state.velocity.set_zero();
+      state.gradient.assign(state.gradient.size(), Vector::Zero());
       summary.at_rest = true;
       summary.last_good = now;
       summary.last_good.relative_gap = 0;
       return ended(solve::End::converged);
     }
-    if (is_better && load_.dot(state.velocity.value()) > 0 && recession<Dim>(space_, law_, pressure_, load_, state.velocity) < 0)
+    if (is_better && load_.dot(state.velocity.value()) > 0 &&
+        recession<Dim>(space_, law_, pressure_, load_, state.velocity) < 0)
       return ended(solve::End::no_steady_state);
     if (is_better && in_equilibrium && now.relative_gap <= options.tolerance)
       return ended(solve::End::converged);

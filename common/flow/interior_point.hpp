@@ -4,11 +4,11 @@
 //
 // is a second-order cone programme. Its dual is a stress τ in equilibrium, Σ w Gᵀτ = f, with
 // |τ| <= z = D'(t); at the optimum (t, g) ∘ (z, -τ) = 0, that is t z = g·τ and t τ = z g. Newton
-// follows (t, g) ∘ (z, -τ) = (σμs, 0) as μ → 0 with Mehrotra's predictor and second-order corrector;
-// s = μs p c, the natural power of the point, makes all points equally accurate as p → 0 at a free
-// surface (with s = 1 the surface velocity is the last thing to converge).
-// The duality gap Σ w (t z - g·τ) bounds the distance to the discrete minimum: no λr anywhere.
-// Related: Bleyer et al. (2015), yield-stress flows as second-order cone programmes.
+// follows (t, g) ∘ (z, -τ) = (σμs, 0) as μ → 0 with Mehrotra's predictor and second-order
+// corrector; s = μs p c, the natural power of the point, makes all points equally accurate as p → 0
+// at a free surface (with s = 1 the surface velocity is the last thing to converge). The duality
+// gap Σ w (t z - g·τ) bounds the distance to the discrete minimum: no λr anywhere. Related: Bleyer
+// et al. (2015), yield-stress flows as second-order cone programmes.
 #pragma once
 
 #include <functional>
@@ -49,9 +49,10 @@ template <int Dim>
 struct ConeState {
   using Vector = Eigen::Matrix<double, Dim, 1>;
   solve::CompensatedVector velocity;
-  std::vector<double> bound;            ///< t
-  std::vector<double> dual_bound;       ///< z
-  std::vector<Vector> stress;           ///< τ
+  std::vector<Vector> gradient;    ///< g = grad u
+  std::vector<double> bound;       ///< t
+  std::vector<double> dual_bound;  ///< z
+  std::vector<Vector> stress;      ///< τ
 };
 
 /// An increment of a ConeState, with the gradient of its velocity part.
@@ -68,9 +69,9 @@ struct ConeStep {
 /// product (quadrature points).
 template <int Dim>
 struct ConeResidual {
-  Eigen::VectorXd equilibrium;              ///< f - Σ w Gᵀτ
-  std::vector<double> law;                  ///< D'(t) - z
-  std::vector<double> product;              ///< t z - g·τ
+  Eigen::VectorXd equilibrium;                           ///< f - Σ w Gᵀτ
+  std::vector<double> law;                               ///< D'(t) - z
+  std::vector<double> product;                           ///< t z - g·τ
   std::vector<Eigen::Matrix<double, Dim, 1>> alignment;  ///< z g - t τ
 };
 
@@ -95,21 +96,27 @@ class InteriorPoint {
   ConeResidual<Dim> residual(const ConeState<Dim>& state) const;
   /// Change of the residual to first order in `step`.
   ConeResidual<Dim> linearised(const ConeState<Dim>& state, const ConeStep<Dim>& step) const;
-  /// Assembles and condenses the system of `newton_step` about `state`.
+  /// Eliminates dt, dz and dτ about `state`, assembles and condenses the system for the velocity.
   void assemble(const ConeState<Dim>& state);
-  /// The step that takes the linearised residual from `residual` to zero; false if it is singular.
-  bool newton_step(const ConeState<Dim>& state, const ConeResidual<Dim>& residual,
-                   ConeStep<Dim>& step) const;
-  static ConeState<Dim> moved(const ConeState<Dim>& state, double length,
-                              const ConeStep<Dim>& step);
+  /// The step that takes the linearised residual, about the state last assembled, from `residual`
+  /// to zero; false if the system is singular.
+  bool newton_step(const ConeResidual<Dim>& residual, ConeStep<Dim>& step) const;
+  ConeState<Dim> moved(const ConeState<Dim>& state, double length, const ConeStep<Dim>& step) const;
 
  private:
+  // What is left of one quadrature point when dt, dz and dτ are eliminated.
+  struct Eliminated {
+    double t, slope, pivot;  // slope = D''(t), pivot = K
+    Vector gradient, stress, alpha;
+    typename Space::Tangent tangent;  // A
+  };
+
+  Eliminated eliminate(const ConeState<Dim>& state, std::size_t point) const;
   double integral(const std::vector<double>& values) const;
   InteriorPointIteration measure(const ConeState<Dim>& state, const ConeResidual<Dim>& r) const;
   /// Predictor, corrector and step; false if the system is singular.
   bool advance(ConeState<Dim>& state, ConeResidual<Dim>& r, InteriorPointIteration& record,
                double step_to_boundary);
-  double longest_step(const ConeState<Dim>& state, const ConeStep<Dim>& step) const;
   double predicted_gap(const ConeState<Dim>& state, double length, const ConeStep<Dim>& step) const;
   bool is_within_yield(const ConeState<Dim>& state) const;
 
@@ -119,6 +126,7 @@ class InteriorPoint {
   Eigen::VectorXd load_;
   std::vector<double> point_power_;  // s = μs p c
   double natural_power_ = 0;         // Σ w s: scale of the gap where nothing moves
+  std::vector<Eliminated> eliminated_;
 };
 
 extern template class InteriorPoint<1>;

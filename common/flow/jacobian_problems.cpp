@@ -96,13 +96,13 @@ solve::JacobianProblem jacobian_problem(const InteriorPoint<Dim>& problem,
   };
   return {nodes + (2 + Dim) * points,
           [&problem, &space, state](const Eigen::VectorXd& displacement) {
-            const auto moved = InteriorPoint<Dim>::moved(state, 1, unpack(space, displacement));
+            const auto moved = problem.moved(state, 1, unpack(space, displacement));
             solve::Residual r;
             r.value = pack(problem.residual(moved));
             // Every row is a short sum of products of numbers no larger than these.
-            const double largest = std::max(
-                {1.0, *std::max_element(moved.bound.begin(), moved.bound.end()),
-                 *std::max_element(moved.dual_bound.begin(), moved.dual_bound.end())});
+            const double largest =
+                std::max({1.0, *std::max_element(moved.bound.begin(), moved.bound.end()),
+                          *std::max_element(moved.dual_bound.begin(), moved.dual_bound.end())});
             r.magnitude = Eigen::VectorXd::Constant(r.value.size(), largest * largest);
             r.round_off = 16 * std::numeric_limits<double>::epsilon() * r.magnitude;
             return r;
@@ -119,7 +119,7 @@ double elimination_error(InteriorPoint<Dim>& problem, const ConeState<Dim>& stat
   const ConeResidual<Dim> residual = problem.residual(state);
   ConeStep<Dim> step;
   problem.assemble(state);
-  if (!problem.newton_step(state, residual, step)) return std::numeric_limits<double>::infinity();
+  if (!problem.newton_step(residual, step)) return std::numeric_limits<double>::infinity();
   const Eigen::VectorXd before = pack(residual);
   const Eigen::VectorXd left = before + pack(problem.linearised(state, step));
   return left.lpNorm<Eigen::Infinity>() / before.lpNorm<Eigen::Infinity>();

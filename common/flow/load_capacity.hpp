@@ -8,9 +8,9 @@
 
 namespace talus::flow {
 
-/// Σ w μ2 p|grad u| - f·u: the rate at which the energy grows along u, to infinity. Negative for some
-/// u: the energy falls without bound, and the discrete problem has no solution.
-/// `pressure` at the quadrature points, `load` at the nodes.
+/// Σ w μ2 p|grad u| - f·u: the rate at which the energy grows along u, to infinity. Negative for
+/// some u: the energy falls without bound, and the discrete problem has no solution. `pressure` at
+/// the quadrature points, `load` at the nodes.
 template <int Dim>
 double recession(const CrossSection<Dim>& space, const rheology::FrictionLaw& law,
                  std::span<const double> pressure, const Eigen::VectorXd& load,

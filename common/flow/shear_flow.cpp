@@ -14,7 +14,8 @@ ShearFlow<Dim>::ShearFlow(Space& space, rheology::Rheology rheology,
       rheology_(std::move(rheology)),
       load_(space.load(body_force)),
       tangents_(space.points().size()) {
-  for (const auto& point : space.points()) total_pressure_.push_back(total_pressure(point.position));
+  for (const auto& point : space.points())
+    total_pressure_.push_back(total_pressure(point.position));
   set_lambda_r(rheology_.lambda_r);
 }
 
@@ -58,16 +59,16 @@ void ShearFlow<Dim>::evaluate_with(const State& w) {
       const auto& point = space_.points()[k];
       const Vector g = point.gradient(relative);
       const double shear_rate = g.norm();
-      const rheology::Viscosity v = Regularisation::evaluate(
-          rheology_.law, rheology_.lambda_r, shear_rate, regularised_pressure_[k]);
+      const rheology::Viscosity v = Regularisation::evaluate(rheology_.law, rheology_.lambda_r,
+                                                             shear_rate, regularised_pressure_[k]);
       const Vector stress = v.eta * g;
       tangents_[k] = v.eta * Space::Tangent::Identity();
       if (shear_rate > 0)
         tangents_[k] += (sign * v.d_eta_d_shear_rate / shear_rate) * (g * g.transpose());
       const Vector stress_size = stress.cwiseAbs();
-      const Vector stress_round_off = operations * epsilon * stress_size +
-                                      tangents_[k].cwiseAbs() *
-                                          (point.gradients.cwiseAbs() * uncertainty);
+      const Vector stress_round_off =
+          operations * epsilon * stress_size +
+          tangents_[k].cwiseAbs() * (point.gradients.cwiseAbs() * uncertainty);
       const auto transposed = point.gradients.transpose();
       force.noalias() += point.weight * (transposed * stress);
       magnitude.noalias() += point.weight * (transposed.cwiseAbs() * stress_size);

@@ -1,7 +1,7 @@
 // Regularised unidirectional flow as a problem for Newton.
 //
-// Find w minimising ∫ D(|grad w|, p) - f w, D = ∫₀^|γ| η s ds: a convex energy whose gradient is the
-// residual R = ∫ η grad w · grad v - ∫ f v. Pressure is known, so it only enters as data.
+// Find w minimising ∫ D(|grad w|, p) - f w, D = ∫₀^|γ| η s ds: a convex energy whose gradient is
+// the residual R = ∫ η grad w · grad v - ∫ f v. Pressure is known, so it only enters as data.
 #pragma once
 
 #include <functional>
@@ -13,8 +13,8 @@
 
 namespace talus::flow {
 
-/// The term η'(|γ|) of the tangent: kept, dropped (frozen viscosity: Picard), or with the wrong sign.
-/// Only `full` is Newton; the others exist to be looked at.
+/// The term η'(|γ|) of the tangent: kept, dropped (frozen viscosity: Picard), or with the wrong
+/// sign. Only `full` is Newton; the others exist to be looked at.
 enum class TangentTerm { full, frozen, wrong_sign };
 
 template <int Dim>
@@ -41,9 +41,7 @@ class ShearFlow {
   /// Certificate that the discrete problem has no solution: flow::recession(w) < 0.
   bool exceeds_capacity(const State& w) const;
   /// K x, uncondensed: what the Jacobian check compares with differences of the residual.
-  Eigen::VectorXd tangent_product(const State& x) const {
-    return space_.product(tangents_, x);
-  }
+  Eigen::VectorXd tangent_product(const State& x) const { return space_.product(tangents_, x); }
 
  private:
   template <class Regularisation>

@@ -37,9 +37,14 @@ std::string curve_style(const Curve& curve, std::size_t number) {
   const std::string colour = quoted(palette[number % std::size(palette)]);
   const std::string point = std::to_string(std::vector<int>{7, 5, 9, 13, 11, 6, 4, 8}[number % 8]);
   switch (curve.style) {
-    case Style::line: return "with lines lw 2 lc rgb " + colour;
-    case Style::dashed: return "with lines lw 1.5 dt 2 lc rgb " + colour;
-    case Style::points: return "with points ps 0.6 pt " + point + " lc rgb " + colour;
+    case Style::line:
+      return "with lines lw 2 lc rgb " + colour;
+    case Style::dashed:
+      return "with lines lw 1.5 dt 2 lc rgb " + colour;
+    case Style::rings:
+      return "with points ps 1.2 pt 6 lw 1.2 lc rgb '#000000'";
+    case Style::points:
+      return "with points ps 0.6 pt " + point + " lc rgb " + colour;
     case Style::line_points:
       return "with linespoints lw 1.5 ps 0.7 pt " + point + " lc rgb " + colour;
   }
@@ -54,15 +59,17 @@ std::string panel_script(const Panel& panel, const std::string& data, std::size_
   if (panel.map) {
     const Map& map = *panel.map;
     script += tics("x", map.columns) + tics("y", map.rows);
-    script += "set xtics rotate by -40 left\nunset grid\nunset key\nset cblabel " +
-              quoted(map.value_label) +
-              "\nset palette defined (0 '#f7fbff', 0.5 '#6baed6', 1 '#08306b')\n";
+    script +=
+        "set xtics rotate by -40 left\nset tics scale 0\nunset grid\nunset key\nset cblabel " +
+        quoted(map.value_label) +
+        "\nset palette defined (0 '#f7fbff', 0.5 '#6baed6', 1 '#08306b')\n";
     script += "set cbrange [0:" + exact(map.largest) + "]\n";
-    script += "set xrange [-0.5:" + std::to_string(map.columns.size()) + "-0.5]\nset yrange [-0.5:" +
-              std::to_string(map.rows.size()) + "-0.5]\nset object 1 rectangle from graph 0,0 to "
+    script += "set xrange [-0.5:" + std::to_string(map.columns.size()) +
+              "-0.5]\nset yrange [-0.5:" + std::to_string(map.rows.size()) +
+              "-0.5]\nset object 1 rectangle from graph 0,0 to "
               "graph 1,1 fc rgb '#dddddd' behind\n";
-    script += "plot " + data + " index " + std::to_string(block) + " using 1:2:3 with image pixels, " +
-              data + " index " + std::to_string(block) +
+    script += "plot " + data + " index " + std::to_string(block) +
+              " using 1:2:3 with image pixels, " + data + " index " + std::to_string(block) +
               " using 1:2:4 with labels font ',11' tc rgb '#d55e00'\n";
     ++block;
     return script;

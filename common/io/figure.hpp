@@ -10,7 +10,7 @@
 
 namespace talus::io {
 
-enum class Style { line, dashed, points, line_points };
+enum class Style { line, dashed, points, line_points, rings };
 
 struct Curve {
   std::string label;

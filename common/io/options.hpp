@@ -1,10 +1,11 @@
 // The command line's edge: ranges in --help, and one clear line for every impossible value.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
+
+#include <CLI/CLI.hpp>
 
 #include "common/io/result_folder.hpp"
 

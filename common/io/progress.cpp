@@ -18,7 +18,9 @@ void Progress::show(const std::string& what, double fraction) {
   last_shown_ = now;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   std::string left;
-  if (fraction > 0.02) left = ", about " + std::to_string(static_cast<int>(elapsed * (1 / fraction - 1)) + 1) + " s left";
+  if (fraction > 0.02)
+    left =
+        ", about " + std::to_string(static_cast<int>(elapsed * (1 / fraction - 1)) + 1) + " s left";
   std::fprintf(stderr, "\r\033[K%3.0f%%  %s%s", 100 * fraction, what.c_str(), left.c_str());
   std::fflush(stderr);
 }

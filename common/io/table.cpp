@@ -50,8 +50,9 @@ std::string to_csv(const Table& table) {
 void print(std::ostream& out, const Table& table) {
   // Characters, not bytes: UTF-8 continuation bytes take no column.
   const auto width_of = [](const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+      return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+    }));
   };
   std::vector<std::size_t> widths(table.header.size(), 0);
   const auto widen = [&](const std::vector<std::string>& row) {

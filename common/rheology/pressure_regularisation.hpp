@@ -15,9 +15,8 @@ struct RegularisedPressure {
 /// the limit is λr²/(4|p|); the conjugate form λr²/(2(sqrt(p² + λr²) - p)) does not cancel.
 inline RegularisedPressure regularise_pressure(double total_pressure, double lambda_r) {
   const double root = std::hypot(total_pressure, lambda_r);
-  const double value = total_pressure >= 0
-                           ? 0.5 * (total_pressure + root)
-                           : 0.5 * lambda_r * (lambda_r / (root - total_pressure));
+  const double value = total_pressure >= 0 ? 0.5 * (total_pressure + root)
+                                           : 0.5 * lambda_r * (lambda_r / (root - total_pressure));
   return {value, root > 0 ? value / root : 0.5};
 }
 

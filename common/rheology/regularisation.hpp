@@ -1,7 +1,7 @@
 // The regularised granular viscosities, eq. (9)-(12): η(|γ|, p) with both derivatives.
 //
-// Adding a regularisation is one struct and one name in `Regularisation`: the programs, the Jacobian
-// checks, the studies and the charts then know it.
+// Adding a regularisation is one struct and one name in `Regularisation`: the programs, the
+// Jacobian checks, the studies and the charts then know it.
 #pragma once
 
 #include <cmath>

@@ -10,14 +10,16 @@ namespace talus::rheology {
 struct Rheology {
   FrictionLaw law;
   Regularisation regularisation = ChauchatMedale{};
-  double lambda_r = 1e-6;  ///< regularisation parameter, a shear rate in (9)-(12), a pressure in (16)
+  double lambda_r =
+      1e-6;  ///< regularisation parameter, a shear rate in (9)-(12), a pressure in (16)
 
-  /// η(|γ|, p_regu(p_tot)) of eq. (9)-(12) with eq. (16), derivatives with respect to |γ| and p_tot.
+  /// η(|γ|, p_regu(p_tot)) of eq. (9)-(12) with eq. (16), derivatives with respect to |γ| and
+  /// p_tot.
   Viscosity evaluate(double shear_rate, double total_pressure) const {
     const RegularisedPressure p = regularise_pressure(total_pressure, lambda_r);
-    Viscosity v = std::visit(
-        [&](auto kind) { return kind.evaluate(law, lambda_r, shear_rate, p.value); },
-        regularisation);
+    Viscosity v =
+        std::visit([&](auto kind) { return kind.evaluate(law, lambda_r, shear_rate, p.value); },
+                   regularisation);
     v.d_eta_d_pressure *= p.derivative;
     return v;
   }
@@ -36,9 +38,12 @@ inline Regime regime_under(const FrictionLaw& law, double stress_ratio) {
 
 inline std::string name_of(Regime regime) {
   switch (regime) {
-    case Regime::at_rest: return "at_rest";
-    case Regime::flowing: return "flowing";
-    case Regime::no_steady_state: return "no_steady_state";
+    case Regime::at_rest:
+      return "at_rest";
+    case Regime::flowing:
+      return "flowing";
+    case Regime::no_steady_state:
+      return "no_steady_state";
   }
   return {};
 }

@@ -1,4 +1,5 @@
-// A vector held as an unevaluated sum value + correction (double-double): Newton's iterate and step.
+// A vector held as an unevaluated sum value + correction (double-double): Newton's iterate and
+// step.
 //
 // Why: in a plug η ~ μs p/λr multiplies differences of velocities that agree in most of their
 // digits. What a double drops from the velocities then bounds the residual from below. Keeping what
@@ -6,9 +7,10 @@
 // to relative rounding, and with them the shear rate and the residual. Systems stay in double.
 #pragma once
 
-#include <Eigen/Core>
 #include <cmath>
 #include <limits>
+
+#include <Eigen/Core>
 
 namespace talus::solve {
 
@@ -68,7 +70,8 @@ class CompensatedVector {
   }
 
  private:
-  // (a + a_low) + (b + b_low), by Knuth's two-sum: the rounding error of a + b goes to the correction.
+  // (a + a_low) + (b + b_low), by Knuth's two-sum: the rounding error of a + b goes to the
+  // correction.
   void set_sum(Eigen::Index i, double a, double a_low, double b, double b_low) {
     const double sum = a + b;
     if (precision_ == Precision::plain) {

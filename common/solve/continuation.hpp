@@ -1,4 +1,5 @@
-// Continuation in the regularisation parameter: the fallback when Newton fails from where it starts.
+// Continuation in the regularisation parameter: the fallback when Newton fails from where it
+// starts.
 #pragma once
 
 #include <vector>
@@ -8,9 +9,9 @@
 namespace talus::solve {
 
 struct ContinuationOptions {
-  double first = 1e-2;             ///< largest λr, solved first
-  double factor = 0.1;             ///< of one step in λr; its logarithm is halved on a failure
-  double smallest_log_step = 1e-3; ///< |Δ ln λr| below which the path is given up
+  double first = 1e-2;              ///< largest λr, solved first
+  double factor = 0.1;              ///< of one step in λr; its logarithm is halved on a failure
+  double smallest_log_step = 1e-3;  ///< |Δ ln λr| below which the path is given up
   int max_solves = 100;
 };
 

@@ -16,13 +16,15 @@ enum class End {
 };
 
 /// Every end, in the order of the enumeration.
-inline constexpr End all_ends[] = {End::converged,          End::at_round_off_floor,
-                                   End::stagnated,          End::line_search_failed,
-                                   End::linear_solver_failed, End::non_finite,
-                                   End::no_steady_state};
+inline constexpr End all_ends[] = {
+    End::converged,          End::at_round_off_floor,   End::stagnated,
+    End::line_search_failed, End::linear_solver_failed, End::non_finite,
+    End::no_steady_state};
 
 /// Only the first two ends are success.
-inline bool is_success(End end) { return end == End::converged || end == End::at_round_off_floor; }
+inline bool is_success(End end) {
+  return end == End::converged || end == End::at_round_off_floor;
+}
 
 /// The name used in messages and in summary.json.
 std::string name_of(End end);

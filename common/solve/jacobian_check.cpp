@@ -79,11 +79,10 @@ EntryTest entry_test(const JacobianProblem& problem, double scale) {
     best.worst = std::numeric_limits<double>::infinity();
     for (int k = 1; k <= decades; ++k) {
       const double step = scale * std::pow(10.0, -k);
-      const Eigen::VectorXd difference = (problem.residual(step * unit).value -
-                                          problem.residual(-step * unit).value) /
-                                         (2 * step);
-      const double size = std::max(analytic.lpNorm<Eigen::Infinity>(),
-                                   difference.lpNorm<Eigen::Infinity>());
+      const Eigen::VectorXd difference =
+          (problem.residual(step * unit).value - problem.residual(-step * unit).value) / (2 * step);
+      const double size =
+          std::max(analytic.lpNorm<Eigen::Infinity>(), difference.lpNorm<Eigen::Infinity>());
       if (size == 0) {
         best.worst = 0;
         break;

@@ -4,11 +4,12 @@
 // problem. The slope is fitted where the remainder still stands clear of the computed round-off.
 #pragma once
 
-#include <Eigen/Core>
 #include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "common/solve/newton.hpp"
 

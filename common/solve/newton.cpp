@@ -6,7 +6,7 @@ namespace talus::solve {
 
 LineSearchResult search_energy_slope(double initial_slope,
                                      const std::function<double(double)>& slope) {
-  constexpr double overshoot = 0.1;  // accepted positive slope, relative to the first
+  constexpr double overshoot = 0.1;   // accepted positive slope, relative to the first
   constexpr double undershoot = 0.5;  // a shortened step must come this near the minimum
   constexpr int max_evaluations = 60;
   if (!(initial_slope < 0)) return {};

@@ -1,12 +1,13 @@
 // Newton's method with an optional line search on the slope of the energy.
 #pragma once
 
-#include <Eigen/Core>
 #include <cmath>
 #include <concepts>
 #include <functional>
 #include <limits>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "common/solve/end.hpp"
 
@@ -19,9 +20,7 @@ struct Residual {
   Eigen::VectorXd round_off;  ///< bound on the rounding error of the value: the computed floor
 
   /// max|value| / max magnitude: what "converged" is judged by.
-  double relative_norm() const {
-    return value.lpNorm<Eigen::Infinity>() / scale();
-  }
+  double relative_norm() const { return value.lpNorm<Eigen::Infinity>() / scale(); }
   /// max round_off / max magnitude: the floor in the same measure.
   double relative_round_off() const { return round_off.lpNorm<Eigen::Infinity>() / scale(); }
   bool is_round_off() const { return (value.array().abs() <= round_off.array()).all(); }
@@ -79,7 +78,8 @@ struct LineSearchResult {
 /// A point where the slope is still negative is lower than the start, whatever the energy; one past
 /// the minimum is taken only if its slope is a tenth of the first. Neither needs the energy itself,
 /// whose differences cancel near the solution. False position (Illinois) between the two.
-LineSearchResult search_energy_slope(double initial_slope, const std::function<double(double)>& slope);
+LineSearchResult search_energy_slope(double initial_slope,
+                                     const std::function<double(double)>& slope);
 
 /// Solves R(state) = 0 in place. Every state accepted is recorded; on a failure the state is the
 /// last accepted one. `observe` sees each accepted state, the start included. A failure ends as
@@ -125,8 +125,8 @@ NewtonSummary newton(P& problem, typename P::State& state, const NewtonOptions& 
       if (found.step == 0) {
         // At the floor a slope may be smaller than its own rounding: nothing left to search for.
         problem.evaluate(state);
-        const bool lost = std::abs(initial_slope) <=
-                          residual->round_off.dot(direction.value().cwiseAbs());
+        const bool lost =
+            std::abs(initial_slope) <= residual->round_off.dot(direction.value().cwiseAbs());
         return ended(lost && residual->relative_norm() <= residual->relative_round_off()
                          ? End::at_round_off_floor
                          : End::line_search_failed);

@@ -1,0 +1,30 @@
+// The parts of the paper study, one scene each.
+#pragma once
+
+#include <string>
+
+#include "verification/chapter.hpp"
+#include "verification/methods.hpp"
+
+namespace talus::verification {
+
+/// A row of the table that compares the paper's statements with our numbers.
+inline void add_finding(io::Table& findings, const std::string& item, const std::string& paper,
+                        const std::string& ours, const std::string& verdict) {
+  findings.rows.push_back({item, paper, ours, verdict});
+}
+
+/// The paper's six meshes. Its b/h counts elements on the full width of the chute; we solve half.
+inline const std::vector<int> paper_meshes = {5, 10, 20, 40, 80, 160};
+
+inline oned::Solution solve_uniform(const oned::ShearScene& scene, int elements,
+                                    const NamedMethod& method) {
+  return oned::solve(scene, oned::boundaries(scene, {.elements = elements}), method.options);
+}
+
+/// Figs 2 to 5.
+void add_chute(Chapter& chapter, io::Table& findings, const Context& context);
+/// Figs 6 to 8 and Table 1.
+void add_bagnold(Chapter& chapter, io::Table& findings, const Context& context);
+
+}  // namespace talus::verification

@@ -1,0 +1,108 @@
+// The harness itself: does it fail where it should?
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include <boost/test/unit_test.hpp>
+
+#include "verification/fit.hpp"
+#include "verification/html_report.hpp"
+#include "verification/methods.hpp"
+
+using namespace talus;
+using verification::Chapter;
+
+namespace {
+
+int failures(const Chapter& chapter) {
+  int count = 0;
+  for (const auto& check : chapter.checks) count += check.passed() ? 0 : 1;
+  return count;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_check_keeps_both_bounds_and_nan_keeps_none) {
+  Chapter chapter;
+  chapter.check("inside", 2, 1, 3);
+  BOOST_TEST(chapter.passed());
+  for (const double outside : {0.9, 3.1, std::numeric_limits<double>::quiet_NaN()}) {
+    Chapter other = chapter;
+    other.check("outside", outside, 1, 3);
+    BOOST_TEST(!other.passed());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_fitted_order_of_a_power_law_is_its_exponent) {
+  std::vector<double> h, error;
+  for (int k = 0; k < 5; ++k) {
+    h.push_back(std::pow(0.5, k));
+    error.push_back(7 * std::pow(h.back(), 2.5));
+  }
+  BOOST_TEST(verification::fitted_order(h, error) == 2.5, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(std::isnan(verification::fitted_order({1}, {1})));
+}
+
+BOOST_AUTO_TEST_CASE(studies_have_names_of_their_own_and_a_question) {
+  std::set<std::string> names;
+  for (const auto& study : verification::studies()) {
+    names.insert(study.name);
+    BOOST_TEST(study.question.back() == '?');
+  }
+  BOOST_TEST(names.size() == verification::studies().size());
+}
+
+BOOST_AUTO_TEST_CASE(the_jacobian_study_holds) {
+  BOOST_TEST(failures(verification::jacobian_study({})) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_orders_of_all_scenes_hold) {
+  BOOST_TEST(failures(verification::orders_study({})) == 0);
+}
+
+// Negative controls of the orders study: each breaks one thing it rests on.
+BOOST_AUTO_TEST_CASE(a_wrong_exact_solution_destroys_the_orders) {
+  for (oned::ShearScene scene : oned::scenes()) {
+    const auto right = scene.exact_velocity;
+    scene.exact_velocity = [right](double x) { return (1 + 1e-4) * right(x); };
+    BOOST_TEST(failures(verification::orders_of({scene}, {})) > 0, scene.name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_wrong_pressure_destroys_the_orders) {
+  for (oned::ShearScene scene : oned::scenes()) {
+    const auto right = scene.pressure;
+    scene.pressure = [right](double x) { return (1 + 1e-4) * right(x); };
+    BOOST_TEST(failures(verification::orders_of({scene}, {})) > 0, scene.name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_order_half_off_is_rejected) {
+  for (oned::ShearScene scene : oned::scenes()) {
+    for (auto& each : scene.order_cases)
+      if (each.expected) each.expected->l2 += 0.5;
+    BOOST_TEST(failures(verification::orders_of({scene}, {})) > 0, scene.name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_report_shows_failures_and_escapes_text) {
+  Chapter chapter{"name", "Is a < b?", {}, {}};
+  chapter.text("x & y");
+  chapter.check("good", 1, 0, 2);
+  const auto html = [&] {
+    return verification::html_report({{chapter, 0, "no such folder"}}, "./run verify");
+  };
+  BOOST_TEST(html().find("Every check holds.") != std::string::npos);
+  BOOST_TEST(html().find("Is a &lt; b?") != std::string::npos);
+  BOOST_TEST(html().find("x &amp; y") != std::string::npos);
+  chapter.check("bad", 3, 0, 2);
+  BOOST_TEST(html().find("Some checks do not hold.") != std::string::npos);
+  BOOST_TEST(html().find("fail>FAILS") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_figure_without_its_picture_is_reported_as_skipped) {
+  Chapter chapter{"name", "title", {}, {}};
+  chapter.figure({"missing", "caption", {}, 1});
+  const std::string html = verification::html_report({{chapter, 0, "no such folder"}}, "command");
+  BOOST_TEST(html.find("Skipped: gnuplot drew no figure.") != std::string::npos);
+}
