@@ -34,9 +34,13 @@ ShearScene scene_of(const Chute& chute) {
            ((s - half) + span * std::log((span - (s - y0)) / (span - (half - y0))));
   };
   scene.exact_stress = [](double y) { return y; };  // eq. (21)
-  // Every 17 elements put 13 into the plug: y0/(b/2) = 0.766 = 13/17, kept by doubling.
+  // Every 17 elements put 13 into the plug: y0/(b/2) = 0.766 = 13/17, so in multiples of 34 as
+  // well.
   scene.order_cases = {
-      {"node at y0", {.align = 0.0}, {68, 136, 272, 544, 1088}, Orders{3, 4.5, 4, 3, 0.05}},
+      {"node at y0",
+       {.align = 0.0},
+       {136, 170, 204, 272, 340, 408, 544, 816},
+       Orders{3, 4.5, 4, 3, 0.05}},
       {"y0 mid-element", {.align = 0.5}, {20, 40, 80, 160, 320, 640}, Orders{2, 2.5, 2, 2, 0.05}},
       {"uniform", {}, {5, 10, 20, 40, 80, 160, 320, 640}, std::nullopt}};
   scene.load = {"p", 40, 28, 20, [chute](double pressure) {

@@ -24,8 +24,7 @@ int main(int argc, char** argv) {
   app.add_option("--align", options.align,
                  "Put the edge of the plug at this fraction of its element; alone: on a node "
                  "[0 ... 0.99]")
-      ->expected(0, 1)
-      ->default_str("0");
+      ->expected(0, 1);
   return io::run_program(app, argc, argv, [&] {
     if (app.count("--align") > 0 && options.align.empty()) options.align = "0";
     chute.law = friction_law(options);

@@ -97,9 +97,11 @@ void add_options(CLI::App& app, ProgramOptions& options, const std::string& scen
                  "Derivative of the viscosity in the tangent: kept, dropped, or broken",
                  {"full", "frozen", "wrong-sign"});
   io::add_real(app, "--tolerance", options.tolerance,
-               "Relative residual (default 1e-12) or duality gap (default 1e-10)", 1e-16, 0.1);
+               "Relative residual (default 1e-12) or duality gap (default 1e-10)", 1e-16, 0.1)
+      ->default_str("");
   io::add_integer(app, "--max-iterations", options.max_iterations,
-                  "Of Newton (default 200) or of the interior point (default 100)", 1, 100000);
+                  "Of Newton (default 200) or of the interior point (default 100)", 1, 100000)
+      ->default_str("");
   app.add_flag("--no-continuation", options.no_continuation,
                "Do not fall back to continuation in lambda_r when Newton fails");
   app.add_option("--output", options.output, "Folder for the results")->capture_default_str();

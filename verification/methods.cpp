@@ -9,7 +9,7 @@ namespace talus::verification {
 NamedMethod reference_method() {
   NamedMethod method{"interior point", {}};
   method.options.method = oned::Method::interior_point;
-  method.options.interior_point.tolerance = 1e-14;
+  method.options.interior_point.tolerance = 2e-15;
   return method;
 }
 

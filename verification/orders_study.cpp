@@ -142,9 +142,9 @@ void study_case(Chapter& chapter, io::Table& table, io::Figure& figure,
     for (std::size_t i = 0; i < panels.size(); ++i) add_curves(panels[i], name, family, norms[i]);
   };
   show(reference.label, exact_law);
-  for (const NamedMethod& method : newton_methods(1e-12)) {
+  for (const NamedMethod& method : newton_methods(1e-14)) {
     const Family family = measure(scene, order_case, method, references);
-    fit(method.label + ", λr 1e-12", family);
+    fit(method.label + ", λr 1e-14", family);
   }
   for (const double lambda_r : {1e-4, 1e-6, 1e-8}) {
     const NamedMethod method = newton_method(rheology::ChauchatMedale{}, lambda_r);

@@ -137,7 +137,7 @@ void add_maps(Chapter& chapter, const Context& context) {
                               oned::solve(scene, oned::boundaries(scene, {.elements = elements}),
                                           reference_method().options));
       chapter.check(scene.name + ", interior point, " + std::to_string(elements) +
-                        " elements: factorisations to a gap of 1e-14",
+                        " elements: factorisations to round-off",
                     solve::is_success(references.back().second.end)
                         ? references.back().second.iterations()
                         : std::numeric_limits<double>::quiet_NaN(),

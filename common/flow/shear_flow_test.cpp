@@ -1,7 +1,12 @@
 #include "common/flow/shear_flow.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <random>
+#include <tuple>
+#include <vector>
 
 #include <boost/test/unit_test.hpp>
 

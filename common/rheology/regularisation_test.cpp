@@ -1,5 +1,6 @@
 #include "common/rheology/regularisation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>

@@ -14,11 +14,12 @@ struct Description {
 constexpr std::array<Description, std::size(all_ends)> descriptions = {{
     {"converged", ""},
     {"at_round_off_floor", ""},
-    {"stagnated", "try the energy line search, a larger --lambda-r or --method interior-point"},
+    {"stagnated",
+     "check the tangent with --check-jacobian, try a larger --lambda-r or --method interior-point"},
     {"line_search_failed",
      "check the tangent with --check-jacobian, or try --method interior-point"},
-    {"linear_solver_failed", "try a larger --lambda-r or a coarser mesh"},
-    {"non_finite", "try the energy line search or a larger --lambda-r"},
+    {"linear_solver_failed", "try --line-search energy-slope or a larger --lambda-r"},
+    {"non_finite", "try --line-search energy-slope or a larger --lambda-r"},
     {"no_steady_state", "lower the load below its limit"},
 }};
 

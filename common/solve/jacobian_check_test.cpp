@@ -1,6 +1,7 @@
 #include "common/solve/jacobian_check.hpp"
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include <boost/test/unit_test.hpp>
@@ -102,6 +103,7 @@ BOOST_AUTO_TEST_CASE(a_relative_error_of_a_thousandth_in_any_entry_is_caught) {
       jacobian(row, column) *= 1.001;
       const JacobianCheck check = check_with(jacobian);
       BOOST_TEST(!check.entries.passed, "entry " << row << ", " << column);
+      BOOST_TEST(check.entries.row == row);
       BOOST_TEST(check.entries.column == column);
       BOOST_TEST(!wrong_blocks(check).empty(), "entry " << row << ", " << column);
     }

@@ -205,7 +205,7 @@ BOOST_AUTO_TEST_CASE(every_accepted_state_is_observed_once_and_recorded) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_search_accepts_only_steps_that_lower_the_energy) {
+BOOST_AUTO_TEST_CASE(the_search_lowers_smooth_energies) {
   for (const double minimum : {0.9, 0.3, 1e-3, 1e-8}) {
     int calls = 0;
     const auto slope = [&](double t) {
