@@ -136,12 +136,6 @@ void add_maps(Chapter& chapter, const Context& context) {
       references.emplace_back(elements,
                               oned::solve(scene, oned::boundaries(scene, {.elements = elements}),
                                           reference_method().options));
-      chapter.check(scene.name + ", interior point, " + std::to_string(elements) +
-                        " elements: factorisations to round-off",
-                    solve::is_success(references.back().second.end)
-                        ? references.back().second.iterations()
-                        : std::numeric_limits<double>::quiet_NaN(),
-                    1, 20);
     }
     io::Figure ours{"maps_" + scene.name,
                     "Newton iterations from rest over λr and the number of elements; unmarked "

@@ -8,6 +8,35 @@
 namespace talus::verification {
 namespace {
 
+// Factorisations of the interior point from rest on every family of meshes.
+void interior_point_counts(Chapter& chapter, const Context& context) {
+  constexpr int most_allowed = 15;
+  const std::vector<int> elements = doubled_elements(context.full ? 5120 : 1280);
+  io::Table table{"Factorisations of the interior point, from rest to a relative gap of 1e-10",
+                  {"scene", "mesh"},
+                  {}};
+  for (const int n : elements) table.header.push_back(std::to_string(n));
+  NamedMethod method = reference_method();
+  method.options.interior_point.tolerance = 1e-10;
+  for (const auto& scene : oned::scenes())
+    for (const auto& order_case : scene.order_cases) {
+      table.rows.push_back({scene.name, order_case.name});
+      int most = 0, failures = 0;
+      for (const int n : elements) {
+        oned::MeshOptions mesh = order_case.mesh;
+        mesh.elements = n;
+        const auto solution = oned::solve(scene, oned::boundaries(scene, mesh), method.options);
+        if (solution.end != solve::End::converged) ++failures;
+        most = std::max(most, solution.iterations());
+        table.rows.back().push_back(std::to_string(solution.iterations()));
+      }
+      const std::string label = scene.name + ", " + order_case.name + ", interior point: ";
+      chapter.check(label + "meshes on which it does not converge", failures, 0, 0);
+      chapter.check(label + "most factorisations", most, 1, most_allowed);
+    }
+  chapter.table(std::move(table));
+}
+
 // Final residual of plain double precision against the computed floor.
 void floor(Chapter& chapter) {
   io::Panel panel{"where Newton in plain double stops",
@@ -71,6 +100,7 @@ Chapter stability_study(const Context& context) {
       "the interior point on the same mesh: no silent wrong answer. The ends are explained in "
       "docs/theory.md.");
   add_maps(chapter, context);
+  interior_point_counts(chapter, context);
   add_limits(chapter, context);
   context.progress(0.95);
   floor(chapter);
