@@ -16,12 +16,12 @@ int main(int argc, char** argv) {
   CLI::App app{"Dense granular flow down an inclined plane, 1D quadratic elements", "bagnold"};
   oned::Bagnold bagnold;
   oned::ProgramOptions options;
-  options.lambda_r = scene_of(bagnold).lambda_r;
+  options.method.lambda_r = scene_of(bagnold).lambda_r;
   io::add_real(app, "--angle", bagnold.angle, "Inclination α, in radians", 1e-3, 1.57);
   io::add_real(app, "--height", bagnold.height, "Depth of the layer H, in d", 1e-3, 1e6);
   oned::add_options(app, options, "bagnold");
   return io::run_program(app, argc, argv, [&] {
-    bagnold.law = friction_law(options);
+    bagnold.law = friction_law(options.method);
     return run(scene_of(bagnold), options, {{"angle", bagnold.angle}, {"height", bagnold.height}});
   });
 }

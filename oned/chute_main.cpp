@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
                "chute"};
   oned::Chute chute;
   oned::ProgramOptions options;
-  options.lambda_r = scene_of(chute).lambda_r;
+  options.method.lambda_r = scene_of(chute).lambda_r;
   io::add_real(app, "--pressure", chute.pressure, "Confining pressure p, in φρgd", 1e-3, 1e6);
   io::add_real(app, "--width", chute.width, "Width b, in d", 1e-3, 1e6);
   oned::add_options(app, options, "chute");
@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
       ->expected(0, 1);
   return io::run_program(app, argc, argv, [&] {
     if (app.count("--align") > 0 && options.align.empty()) options.align = "0";
-    chute.law = friction_law(options);
+    chute.law = friction_law(options.method);
     return run(scene_of(chute), options, {{"pressure", chute.pressure}, {"width", chute.width}});
   });
 }

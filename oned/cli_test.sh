@@ -3,116 +3,12 @@
 # usage: cli_test.sh CHUTE BAGNOLD SOURCE_FOLDER
 set -u
 chute=$1 bagnold=$2 source_folder=$3
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-touch "$work/file"
-failures=0 checks=0
-
-# run PROGRAM OPTIONS...: in an empty folder; leaves $code, $work/stdout and $work/stderr.
-run() {
-  rm -rf "$work/run"
-  mkdir "$work/run"
-  (cd "$work/run" && exec "$@") >"$work/stdout" 2>"$work/stderr"
-  code=$?
-}
-
-# Every check below says on stdout what is wrong, and returns 1 if anything is.
-
-expect_code() { [ "$code" -eq "$1" ] || { echo "exit code $code instead of $1"; return 1; }; }
-
-expect_text() {  # FILE TEXT...
-  local file=$1 text
-  shift
-  for text in "$@"; do
-    grep -qF -e "$text" "$work/$file" || { echo "no '$text' in $file"; return 1; }
-  done
-}
-
-expect_empty() { [ ! -s "$work/$1" ] || { echo "$1 is not empty"; return 1; }; }
-
-expect_summary() {  # of the program named
-  local summary=$work/run/results/$1/summary.json key
-  [ -f "$summary" ] || { echo "no summary.json"; return 1; }
-  if [ "$(head -n 1 "$summary")" != "{" ] || [ "$(tail -n 1 "$summary")" != "}" ]; then
-    echo "summary.json is not one JSON object"
-    return 1
-  fi
-  for key in scene model parameters status seconds results; do
-    grep -q "^  \"$key\": " "$summary" || { echo "no key '$key' in summary.json"; return 1; }
-  done
-}
-
-# succeeds SCENE PROGRAM OPTIONS...: exit 0, results written, nothing on stderr.
-succeeds() {
-  local scene=$1
-  shift
-  run "$@"
-  expect_code 0 && expect_empty stderr || return 1
-  case " $* " in
-    *" --check-jacobian "*) expect_text stdout "The tangent is the derivative" ;;
-    *) expect_summary "$scene" ;;
-  esac
-}
-
-# refuses TEXT... -- PROGRAM OPTIONS...: exit 2, one line on stderr with every TEXT, no other trace.
-refuses() {
-  local texts=()
-  while [ "$1" != -- ]; do texts+=("$1"); shift; done
-  shift
-  run "$@"
-  expect_code 2 && expect_empty stdout && expect_text stderr "${texts[@]}" || return 1
-  [ "$(wc -l <"$work/stderr")" -eq 1 ] || { echo "stderr is not one line"; return 1; }
-  [ -z "$(ls -A "$work/run")" ] || { echo "files were left behind"; return 1; }
-}
-
-# has_no_steady_flow LIMIT PROGRAM OPTIONS...: exit 1, the end and the limit on stderr.
-has_no_steady_flow() {
-  local limit=$1
-  shift
-  run "$@"
-  expect_code 1 && expect_empty stdout && expect_text stderr no_steady_state "$limit"
-}
-
-# is_at_rest SCENE PROGRAM OPTIONS...: exit 0 and says so.
-is_at_rest() { succeeds "$@" && expect_text stdout "at rest"; }
-
-# check CHECK...: counts it, and reports its failure.
-check() {
-  local message
-  checks=$((checks + 1))
-  message=$("$@") && return
-  failures=$((failures + 1))
-  printf 'FAILED: %s: %s\n' "$*" "$message"
-  cat "$work/stdout" "$work/stderr"
-}
-
-# check_fails CHECK...: negative control, the check must find something wrong.
-check_fails() {
-  checks=$((checks + 1))
-  "$@" >/dev/null || return
-  failures=$((failures + 1))
-  echo "FAILED: passed although it should not: $*"
-}
+# shellcheck source=common/testing/cli_checks.sh
+. "$source_folder/../common/testing/cli_checks.sh"
 
 # 1. The sample runs of the programs' headers.
-for scene in chute bagnold; do
-  samples=0
-  while read -r name options; do
-    samples=$((samples + 1))
-    # shellcheck disable=SC2086  # words, as a user types them
-    check succeeds "$scene" "${!name}" $options
-    case " $options " in *" --plot "*)
-      if ! command -v gnuplot >/dev/null; then
-        echo "skipped: the figures of '$name $options', gnuplot is missing"
-        continue
-      fi
-      for figure in svg png; do
-        check test -s "$work/run/results/$scene/profile.$figure"
-      done ;;
-    esac
-  done < <(sed -n "s#^//   \($scene\)\( \|\$\)#\1 #p" "$source_folder/${scene}_main.cpp")
-  check test "$samples" -ge 3
-done
+check_samples "$chute" "$source_folder/chute_main.cpp" profile
+check_samples "$bagnold" "$source_folder/bagnold_main.cpp" profile
 
 # 2. Wrong input.
 for program in "$chute" "$bagnold"; do
@@ -164,5 +60,4 @@ check_fails succeeds chute "$chute" --output elsewhere
 check_fails has_no_steady_flow 21.7729 "$chute" --pressure 28
 check_fails is_at_rest chute "$chute" --pressure 28
 
-echo "$checks checks, $failures failed"
-[ "$failures" -eq 0 ]
+finish

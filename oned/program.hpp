@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "common/program/method_options.hpp"
 #include "oned/report.hpp"
 
 namespace talus::oned {
@@ -11,19 +12,13 @@ namespace talus::oned {
 /// The options both programs share.
 struct ProgramOptions {
   MeshOptions mesh;
-  double lambda_r = 1e-6;
-  double tolerance = 0;  ///< 0: the method's own default
-  int max_iterations = 0;
-  std::string method = "newton", regularisation = "chauchat-medale", precision = "compensated";
-  std::string line_search = "energy-slope", tangent = "full", friction, align, output;
-  bool plot = false, check_jacobian = false, no_continuation = false;
+  program::MethodOptions method;
+  std::string align, output;
+  bool plot = false, check_jacobian = false;
 };
 
-/// Adds the shared options; set `options.lambda_r` to the scene's default first.
+/// Adds the shared options; set `options.method.lambda_r` to the scene's default first.
 void add_options(CLI::App& app, ProgramOptions& options, const std::string& scene);
-
-/// The friction law of --friction. Throws io::UserError.
-rheology::FrictionLaw friction_law(const ProgramOptions& options);
 
 /// Limits, mesh, solve, measure, write. `parameters` are the scene's own, for summary.json.
 /// Returns the exit code: 0, or 1 where the solve or the Jacobian check does not succeed.

@@ -2,39 +2,20 @@
 
 #include <cmath>
 
+#include "common/program/summary.hpp"
+
 namespace talus::oned {
 namespace {
 
 using nlohmann::json;
-
-const char* name_of(Method method) {
-  return method == Method::newton ? "newton" : "interior-point";
-}
-
-json law_as_json(const rheology::FrictionLaw& law) {
-  return {{"mu_s", law.mu_s},
-          {"delta_mu", law.delta_mu},
-          {"I0", law.I0},
-          {"solid_fraction", law.solid_fraction},
-          {"grain_size", law.grain_size}};
-}
 
 json parameters_as_json(const ShearScene& scene, const RunParameters& parameters) {
   json all = parameters.scene;
   all["elements"] = parameters.mesh.elements;
   all["grading"] = parameters.mesh.grading;
   all["align"] = parameters.mesh.align ? json(*parameters.mesh.align) : json(nullptr);
-  all["friction"] = law_as_json(scene.law);
-  all["method"] = name_of(parameters.solve.method);
-  if (parameters.solve.method == Method::newton) {
-    all["regularisation"] = rheology::name_of(parameters.solve.regularisation);
-    all["lambda_r"] = parameters.solve.lambda_r;
-    all["tolerance"] = parameters.solve.newton.tolerance;
-    all["precision"] =
-        parameters.solve.precision == solve::Precision::plain ? "plain" : "compensated";
-  } else {
-    all["tolerance"] = parameters.solve.interior_point.tolerance;
-  }
+  all["friction"] = program::as_json(scene.law);
+  all.update(program::as_json(parameters.solve));
   return all;
 }
 
@@ -46,36 +27,11 @@ json header(const ShearScene& scene, const RunParameters& parameters) {
           {"limits", scene.limits}};
 }
 
-json newton_as_json(const solve::ContinuationSummary& newton) {
-  json path = json::array();
-  for (const auto& step : newton.path)
-    path.push_back({{"lambda_r", step.lambda_r},
-                    {"end", solve::name_of(step.end)},
-                    {"iterations", step.iterations}});
-  return {{"iterations", newton.total_iterations()},
-          {"final_residual", newton.newton.final_residual()},
-          {"round_off_floor", newton.newton.round_off_floor()},
-          {"continuation", path}};
-}
-
-json interior_point_as_json(const flow::InteriorPointSummary& summary) {
-  return {{"factorisations", summary.factorisations()},
-          {"relative_gap", summary.relative_gap()},
-          {"round_off", summary.last_good.round_off},
-          {"equilibrium", summary.last_good.equilibrium},
-          {"at_rest", summary.at_rest}};
-}
-
 }  // namespace
 
 json summary(const ShearScene& scene, const RunParameters& parameters, const Solution& solution) {
   json all = header(scene, parameters);
-  all["status"] = solve::name_of(solution.end);
-  if (parameters.solve.method == Method::newton)
-    all["newton"] = newton_as_json(solution.newton);
-  else
-    all["interior_point"] = interior_point_as_json(solution.interior_point);
-  all["seconds"] = solution.seconds;
+  program::add_outcome(all, solution);
   const Errors error = errors(solution, scene);
   const double exact_max = std::max(scene.exact_velocity(0), scene.exact_velocity(scene.length));
   all["results"] = {{"max_velocity", solution.velocity.value().lpNorm<Eigen::Infinity>()},
@@ -114,26 +70,6 @@ io::Table profile_table(const ShearScene& scene, const Solution& solution) {
           scene.law.inertial_number(solution.shear_rate[k], p),
           scene.law.inertial_number(exact_rate, p), solution.stress[k], scene.exact_stress(x)})
       table.rows.back().push_back(io::exact(value));
-  }
-  return table;
-}
-
-io::Table iteration_table(const Solution& solution) {
-  io::Table table;
-  if (solution.interior_point.history.empty()) {
-    table.header = {"iteration", "residual", "round_off_floor", "step", "evaluations"};
-    int iteration = 0;
-    for (const auto& record : solution.newton.newton.history)
-      table.rows.push_back({std::to_string(iteration++), io::exact(record.residual),
-                            io::exact(record.round_off), io::exact(record.step),
-                            std::to_string(record.evaluations)});
-  } else {
-    table.header = {"factorisation", "relative_gap", "equilibrium", "centring", "step"};
-    int iteration = 0;
-    for (const auto& record : solution.interior_point.history)
-      table.rows.push_back({std::to_string(iteration++), io::exact(record.relative_gap),
-                            io::exact(record.equilibrium), io::exact(record.centring),
-                            io::exact(record.step)});
   }
   return table;
 }

@@ -25,8 +25,6 @@ nlohmann::json refusal(const ShearScene& scene, const RunParameters& parameters)
 
 /// Velocity, shear rate, I and stress with their exact values at the quadrature points.
 io::Table profile_table(const ShearScene& scene, const Solution& solution);
-/// One row an iteration of Newton or of the interior point.
-io::Table iteration_table(const Solution& solution);
 /// Velocity, shear rate, I and stress against the exact profiles (the paper's Figs 2, 4 and 6), and
 /// the errors of the first two. `solutions` are drawn over each other with their labels.
 io::Figure profile_figure(const ShearScene& scene,

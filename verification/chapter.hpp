@@ -60,5 +60,6 @@ Chapter orders_study(const Context& context);
 Chapter paper_study(const Context& context);
 Chapter cost_study(const Context& context);
 Chapter stability_study(const Context& context);
+Chapter heap_study(const Context& context);
 
 }  // namespace talus::verification

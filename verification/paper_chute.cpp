@@ -93,7 +93,7 @@ void figure_3b(Chapter& chapter, io::Table& findings, const oned::ShearScene& sc
   for (NamedMethod method : newton_methods(1e-4)) {
     io::Curve curve{method.label, {}, {}};
     const auto line = oned::boundaries(scene, {.elements = 80});
-    oned::Solution iterate{oned::space_of(scene, line), {}, {}, {}, {}, {}, {}, 0};
+    oned::Solution iterate{{}, oned::space_of(scene, line)};
     method.options.observe = [&](const solve::CompensatedVector& w) {
       iterate.velocity = w;
       curve.x.push_back(static_cast<double>(curve.x.size()));

@@ -8,7 +8,8 @@ const std::vector<Study>& studies() {
       {"orders", "Does the error fall with the element size as theory says?", orders_study},
       {"paper", "Which figures of the paper do we reproduce, and which not?", paper_study},
       {"cost", "What is the cheapest way to a given error?", cost_study},
-      {"stability", "Where do the methods fail, and do they say so?", stability_study}};
+      {"stability", "Where do the methods fail, and do they say so?", stability_study},
+      {"heap", "What does the heap's cross-section owe to its mesh, and what to λr?", heap_study}};
   return all;
 }
 

@@ -11,7 +11,7 @@
 
 #include "common/io/options.hpp"
 #include "common/io/progress.hpp"
-#include "common/io/stopwatch.hpp"
+#include "common/solve/stopwatch.hpp"
 #include "verification/html_report.hpp"
 
 using namespace talus;
@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
                                                       (static_cast<double>(i) + fraction) /
                                                           static_cast<double>(chosen.size()));
                                       }};
-        const io::Stopwatch watch;
+        const solve::Stopwatch watch;
         verification::Written written{chosen[i].run(context), 0, folder.path() / chosen[i].name};
         written.seconds = watch.seconds();
         write_files(io::ResultFolder(written.folder), written.chapter);

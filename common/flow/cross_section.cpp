@@ -6,65 +6,6 @@
 
 namespace talus::flow {
 
-Mesh<1> line_mesh(std::span<const double> boundaries, bool fixed_at_start, bool fixed_at_end) {
-  Mesh<1> mesh;
-  const std::size_t elements = boundaries.size() - 1;
-  for (std::size_t e = 0; e < elements; ++e) {
-    mesh.nodes.emplace_back(boundaries[e]);
-    mesh.nodes.emplace_back(0.5 * (boundaries[e] + boundaries[e + 1]));
-    const auto first = static_cast<Eigen::Index>(2 * e);
-    mesh.elements.push_back({first, first + 1, first + 2});
-  }
-  mesh.nodes.emplace_back(boundaries.back());
-  mesh.fixed.assign(mesh.nodes.size(), false);
-  mesh.fixed.front() = fixed_at_start;
-  mesh.fixed.back() = fixed_at_end;
-  return mesh;
-}
-
-Skeleton<1>::Skeleton(const Mesh<1>& mesh) : row_of_element_(mesh.elements.size()) {
-  const std::size_t n = mesh.elements.size();
-  const bool from_end = !mesh.fixed.front();  // elimination starts at a fixed vertex
-  std::vector<double> coupling;               // of each row with the next
-  const auto add_vertex = [&](std::size_t node) {
-    if (mesh.fixed[node]) return;
-    rows_.push_back({.node = static_cast<Eigen::Index>(node)});
-    coupling.push_back(1);
-  };
-  add_vertex(from_end ? 2 * n : 0);
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t element = from_end ? n - 1 - i : i;
-    const auto left = static_cast<Eigen::Index>(2 * element);
-    row_of_element_[element] = static_cast<Eigen::Index>(rows_.size());
-    rows_.push_back({.from = from_end ? left + 2 : left, .to = from_end ? left : left + 2});
-    coupling.push_back(-1);
-    add_vertex(static_cast<std::size_t>(rows_.back().to));
-  }
-  const auto size = static_cast<Eigen::Index>(rows_.size());
-  matrix_.diagonal = Eigen::VectorXd::Zero(size);
-  matrix_.off_diagonal = Eigen::Map<Eigen::VectorXd>(coupling.data(), size - 1);
-}
-
-void Skeleton<1>::add(std::size_t element, const Eigen::Matrix2d& matrix) {
-  matrix_.diagonal[row_of_element_[element]] = -1 / matrix(0, 1);
-}
-
-bool Skeleton<1>::solve(const Eigen::VectorXd& force, solve::CompensatedVector& velocity) const {
-  const auto size = static_cast<Eigen::Index>(rows_.size());
-  Eigen::VectorXd b = Eigen::VectorXd::Zero(size), x;
-  for (Eigen::Index i = 0; i < size; ++i) {
-    const Row& row = rows_[static_cast<std::size_t>(i)];
-    if (row.node >= 0) b[i] = -force[row.node];
-  }
-  if (!solve::solve_tridiagonal(matrix_, b, x)) return false;
-  // Velocities from the fluxes: their differences keep all digits where they are tiny.
-  for (Eigen::Index i = 0; i < size; ++i) {
-    const Row& row = rows_[static_cast<std::size_t>(i)];
-    if (row.node < 0) velocity.set_relative(row.to, row.from, x[i] * matrix_.diagonal[i]);
-  }
-  return true;
-}
-
 template <int Dim>
 CrossSection<Dim>::CrossSection(Mesh<Dim> mesh, int points_per_direction)
     : mesh_(std::move(mesh)),
@@ -133,12 +74,15 @@ Eigen::VectorXd CrossSection<Dim>::load(const std::function<double(const Vector&
 template <int Dim>
 void CrossSection<Dim>::assemble(std::span<const Tangent> tangents) {
   constexpr int n = nodes_per_element;
+  tangents_.assign(tangents.begin(), tangents.end());
   skeleton_.set_zero();
   for (std::size_t e = 0, k = 0; e < element_count(); ++e) {
     Eigen::Matrix<double, n, n> matrix = Eigen::Matrix<double, n, n>::Zero();
     for (std::size_t q = 0; q < points_per_element(); ++q, ++k) {
       const auto& gradients = points_[k].gradients;
-      matrix.noalias() += gradients.transpose() * ((points_[k].weight * tangents[k]) * gradients);
+      // Products of this size are faster written out than through Eigen's blocked kernel.
+      const Eigen::Matrix<double, Dim, n> flux = (points_[k].weight * tangents[k]) * gradients;
+      matrix.noalias() += gradients.transpose().lazyProduct(flux);
     }
     interior_pivots_[e] = matrix(interior, interior);
     interior_rows_[e] = matrix.col(interior) / interior_pivots_[e];
@@ -150,11 +94,24 @@ void CrossSection<Dim>::assemble(std::span<const Tangent> tangents) {
       }
     skeleton_.add(e, condensed);
   }
+  is_factored_ = skeleton_.factor();
 }
 
 template <int Dim>
 bool CrossSection<Dim>::solve(const Eigen::VectorXd& right_hand_side,
                               solve::CompensatedVector& solution) const {
+  if (!is_factored_ || !solve_once(right_hand_side, solution)) return false;
+  if constexpr (Dim > 1) {
+    solve::CompensatedVector correction;
+    if (!solve_once(right_hand_side - product(tangents_, solution), correction)) return false;
+    solution = solution.moved(1, correction);
+  }
+  return solution.value().allFinite();
+}
+
+template <int Dim>
+bool CrossSection<Dim>::solve_once(const Eigen::VectorXd& right_hand_side,
+                                   solve::CompensatedVector& solution) const {
   Eigen::VectorXd force = right_hand_side;
   for (std::size_t e = 0; e < element_count(); ++e) {
     const auto& nodes = mesh_.elements[e];
@@ -175,7 +132,7 @@ bool CrossSection<Dim>::solve(const Eigen::VectorXd& right_hand_side,
                                                nodes[static_cast<std::size_t>(a)], nodes[0]));
     solution.set_relative(nodes[interior], nodes[0], relative);
   }
-  return solution.value().allFinite();
+  return true;
 }
 
 template <int Dim>
@@ -194,5 +151,6 @@ void CrossSection<Dim>::clear_fixed(Eigen::VectorXd& values) const {
 }
 
 template class CrossSection<1>;
+template class CrossSection<2>;
 
 }  // namespace talus::flow

@@ -5,7 +5,6 @@
 // and the interior point build their linear systems here from values at the quadrature points.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <span>
 #include <vector>
@@ -13,52 +12,10 @@
 #include <Eigen/Core>
 
 #include "common/fem/lagrange.hpp"
+#include "common/flow/skeleton.hpp"
 #include "common/solve/compensated_vector.hpp"
-#include "common/solve/tridiagonal.hpp"
 
 namespace talus::flow {
-
-/// A mesh of quadratic elements; lengths in L. `fixed` marks the nodes without slip.
-template <int Dim>
-struct Mesh {
-  static constexpr int nodes_per_element = fem::quadratic_nodes(Dim);
-  std::vector<Eigen::Matrix<double, Dim, 1>> nodes;
-  std::vector<std::array<Eigen::Index, nodes_per_element>> elements;
-  std::vector<bool> fixed;
-};
-
-/// The line with these element boundaries, a node in the middle of each element.
-Mesh<1> line_mesh(std::span<const double> boundaries, bool fixed_at_start, bool fixed_at_end);
-
-/// The global system left when interior nodes are condensed.
-template <int Dim>
-class Skeleton;
-
-/// On a line: velocities of the vertices and fluxes of the elements, in turn from a fixed end.
-/// With stiffness k an element says q/k - (w_right - w_left) = 0 and a vertex Σ q = b: a symmetric
-/// tridiagonal system whose pivots are sums of compliances 1/k. The usual one in w alone cancels
-/// them: where a plug (k ~ μs p/λr) meets the flow, k_plug + k_flow - k_plug loses all digits of
-/// k_flow once λr h is small enough.
-template <>
-class Skeleton<1> {
- public:
-  explicit Skeleton(const Mesh<1>& mesh);
-  void set_zero() {}
-  /// The condensed matrix of an element is k [1 -1; -1 1].
-  void add(std::size_t element, const Eigen::Matrix2d& matrix);
-  /// Solves for the vertices from the forces on them; velocities of fixed vertices are zero.
-  bool solve(const Eigen::VectorXd& force, solve::CompensatedVector& velocity) const;
-
- private:
-  struct Row {
-    Eigen::Index node = -1;  // of a velocity row; -1 for a flux row
-    Eigen::Index from = -1;  // of a flux row: the vertices of its element, in order of elimination
-    Eigen::Index to = -1;
-  };
-  std::vector<Row> rows_;
-  std::vector<Eigen::Index> row_of_element_;
-  solve::TridiagonalMatrix matrix_;
-};
 
 template <int Dim>
 class CrossSection {
@@ -113,6 +70,8 @@ class CrossSection {
   /// Assembles ∫ grad v · A grad w from symmetric point tangents and condenses interior nodes.
   void assemble(std::span<const Tangent> tangents);
   /// Solves the system last assembled; false if it is singular or the solution not finite.
+  /// In more than one dimension with one step of refinement: the solution is compensated, so that
+  /// differences in a stiff plug come out better than the factor alone could give them.
   bool solve(const Eigen::VectorXd& right_hand_side, solve::CompensatedVector& solution) const;
   /// The product of the uncondensed matrix of these point tangents with x; zero at fixed nodes.
   Eigen::VectorXd product(std::span<const Tangent> tangents,
@@ -120,13 +79,18 @@ class CrossSection {
   void clear_fixed(Eigen::VectorXd& values) const;
 
  private:
+  bool solve_once(const Eigen::VectorXd& right_hand_side, solve::CompensatedVector& solution) const;
+
   Mesh<Dim> mesh_;
   std::vector<Point> points_;
   Skeleton<Dim> skeleton_;
   std::vector<NodalValues> interior_rows_;  // of the element matrices, divided by the pivot
   std::vector<double> interior_pivots_;
+  std::vector<Tangent> tangents_;  // last assembled
+  bool is_factored_ = false;
 };
 
 extern template class CrossSection<1>;
+extern template class CrossSection<2>;
 
 }  // namespace talus::flow

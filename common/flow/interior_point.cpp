@@ -12,6 +12,8 @@ namespace {
 
 // Power of the load below which the gap is measured against the natural power instead.
 constexpr double smallest_power = 1e-12;
+// Step below which the corrector is given up for a step towards the central path.
+constexpr double shortest_step = 0.1;
 
 template <int Dim>
 double longest_step(const ConeState<Dim>& state, const ConeStep<Dim>& step) {
@@ -207,7 +209,8 @@ InteriorPointIteration InteriorPoint<Dim>::measure(const ConeState<Dim>& state,
 
 template <int Dim>
 bool InteriorPoint<Dim>::advance(ConeState<Dim>& state, ConeResidual<Dim>& r,
-                                 InteriorPointIteration& record, double step_to_boundary) {
+                                 InteriorPointIteration& record,
+                                 const InteriorPointOptions& options) {
   ConeStep<Dim> step;
   assemble(state);
   if (!newton_step(r, step)) return false;
@@ -217,14 +220,27 @@ bool InteriorPoint<Dim>::advance(ConeState<Dim>& state, ConeResidual<Dim>& r,
   record.centring = std::min(1.0, ratio * ratio * ratio);
 
   // Corrector: the same factorisation, with the products of the predictor's increments.
-  const double target = record.centring * gap / natural_power_;  // σμ
+  const std::vector<double> weights = options.path == CentralPath::natural
+                                          ? point_power_
+                                          : std::vector<double>(pressure_.size(), 1.0);
+  const double total_weight = integral(weights);
+  const ConeResidual<Dim> plain = r;
   for (std::size_t k = 0; k < pressure_.size(); ++k) {
-    r.product[k] += step.bound[k] * step.dual_bound[k] - step.gradient[k].dot(step.stress[k]) -
-                    target * point_power_[k];
+    r.product[k] += step.bound[k] * step.dual_bound[k] - step.gradient[k].dot(step.stress[k]);
     r.alignment[k] += step.dual_bound[k] * step.gradient[k] - step.bound[k] * step.stress[k];
   }
-  if (!newton_step(r, step)) return false;
-  record.step = std::min(1.0, step_to_boundary * longest_step(state, step));
+  const auto solve_towards = [&](ConeResidual<Dim> target, double centring) {
+    record.centring = centring;
+    for (std::size_t k = 0; k < pressure_.size(); ++k)
+      target.product[k] -= centring * gap / total_weight * weights[k];
+    if (!newton_step(target, step)) return false;
+    record.step = std::min(1.0, options.step_to_boundary * longest_step(state, step));
+    return true;
+  };
+  if (!solve_towards(r, record.centring)) return false;
+  // A point that lies too near its cone's boundary blocks the way: back to the central path first.
+  for (const double centring : {0.5, 0.9, 1.0})
+    if (record.step < shortest_step && !solve_towards(plain, centring)) return false;
   state = moved(state, record.step, step);
   return true;
 }
@@ -283,11 +299,12 @@ InteriorPointSummary InteriorPoint<Dim>::solve(ConeState<Dim>& state,
       return ended(solve::End::converged);
     if (summary.factorisations() >= options.max_factorisations)
       return gave_up(solve::End::stagnated);
-    if (!advance(state, r, summary.history.back(), options.step_to_boundary))
+    if (!advance(state, r, summary.history.back(), options))
       return gave_up(solve::End::linear_solver_failed);
   }
 }
 
 template class InteriorPoint<1>;
+template class InteriorPoint<2>;
 
 }  // namespace talus::flow

@@ -20,10 +20,15 @@
 
 namespace talus::flow {
 
+/// Weights s of the central path. `natural` is as accurate under a free surface as elsewhere;
+/// `uniform` takes fewer, safer steps where the shape of the plug is not known (two dimensions).
+enum class CentralPath { natural, uniform };
+
 struct InteriorPointOptions {
   double tolerance = 1e-10;      ///< on the duality gap and on equilibrium, both relative
   int max_factorisations = 100;  ///< one factorisation an iteration
   double step_to_boundary = 0.95;
+  CentralPath path = CentralPath::natural;
 };
 
 struct InteriorPointIteration {
@@ -116,7 +121,7 @@ class InteriorPoint {
   InteriorPointIteration measure(const ConeState<Dim>& state, const ConeResidual<Dim>& r) const;
   /// Predictor, corrector and step; false if the system is singular.
   bool advance(ConeState<Dim>& state, ConeResidual<Dim>& r, InteriorPointIteration& record,
-               double step_to_boundary);
+               const InteriorPointOptions& options);
   double predicted_gap(const ConeState<Dim>& state, double length, const ConeStep<Dim>& step) const;
   bool is_within_yield(const ConeState<Dim>& state) const;
 
@@ -124,11 +129,12 @@ class InteriorPoint {
   rheology::FrictionLaw law_;
   std::vector<double> pressure_;
   Eigen::VectorXd load_;
-  std::vector<double> point_power_;  // s = μs p c
-  double natural_power_ = 0;         // Σ w s: scale of the gap where nothing moves
+  std::vector<double> point_power_;  // μs p c
+  double natural_power_ = 0;         // Σ w μs p c: scale of the gap where nothing moves
   std::vector<Eliminated> eliminated_;
 };
 
 extern template class InteriorPoint<1>;
+extern template class InteriorPoint<2>;
 
 }  // namespace talus::flow

@@ -130,5 +130,10 @@ template solve::JacobianProblem jacobian_problem(ShearFlow<1>&, const CrossSecti
 template solve::JacobianProblem jacobian_problem(const InteriorPoint<1>&, const CrossSection<1>&,
                                                  const ConeState<1>&);
 template double elimination_error(InteriorPoint<1>&, const ConeState<1>&);
+template solve::JacobianProblem jacobian_problem(ShearFlow<2>&, const CrossSection<2>&,
+                                                 const solve::CompensatedVector&);
+template solve::JacobianProblem jacobian_problem(const InteriorPoint<2>&, const CrossSection<2>&,
+                                                 const ConeState<2>&);
+template double elimination_error(InteriorPoint<2>&, const ConeState<2>&);
 
 }  // namespace talus::flow

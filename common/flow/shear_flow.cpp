@@ -96,5 +96,6 @@ bool ShearFlow<Dim>::exceeds_capacity(const State& w) const {
 }
 
 template class ShearFlow<1>;
+template class ShearFlow<2>;
 
 }  // namespace talus::flow

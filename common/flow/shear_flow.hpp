@@ -57,5 +57,6 @@ class ShearFlow {
 };
 
 extern template class ShearFlow<1>;
+extern template class ShearFlow<2>;
 
 }  // namespace talus::flow

@@ -11,7 +11,6 @@
 
 #include "common/io/figure.hpp"
 #include "common/io/options.hpp"
-#include "common/io/stopwatch.hpp"
 #include "common/io/table.hpp"
 
 using namespace talus::io;
@@ -214,13 +213,4 @@ BOOST_AUTO_TEST_CASE(programs_pass_on_the_body_s_code_and_report_what_it_throws)
   const Outcome other = outcome_of({}, []() -> int { throw std::runtime_error("broken"); });
   BOOST_TEST(other.code == 1);
   BOOST_TEST(other.message == "program: broken\n");
-}
-
-BOOST_AUTO_TEST_CASE(the_stopwatch_counts_work_and_not_waiting) {
-  const Stopwatch watch;
-  usleep(50000);
-  BOOST_TEST(watch.seconds() < 0.025);
-  volatile double sum = 0;
-  for (int i = 0; i < 1000000; ++i) sum = sum + std::sqrt(i);
-  BOOST_TEST(watch.seconds() > 1e-4);
 }

@@ -32,6 +32,14 @@ std::string check_range(const std::string& text, Number lower, Number upper, Num
 }
 
 template <class Number>
+Number in_range(const std::string& option, const std::string& text, Number lower, Number upper) {
+  Number value = 0;
+  const std::string message = check_range(text, lower, upper, value);
+  if (!message.empty()) throw UserError(option + ": " + message);
+  return value;
+}
+
+template <class Number>
 CLI::Option* add_number(CLI::App& app, const std::string& name, Number& value,
                         const std::string& description, Number lower, Number upper,
                         const std::string& range) {
@@ -76,10 +84,11 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& val
 
 double real_in_range(const std::string& option, const std::string& text, double lower,
                      double upper) {
-  double value = 0;
-  const std::string message = check_range(text, lower, upper, value);
-  if (!message.empty()) throw UserError(option + ": " + message);
-  return value;
+  return in_range(option, text, lower, upper);
+}
+
+int whole_in_range(const std::string& option, const std::string& text, int lower, int upper) {
+  return in_range(option, text, lower, upper);
 }
 
 int run_program(CLI::App& app, int argc, char** argv, const std::function<int()>& body) {

@@ -31,4 +31,7 @@ int run_program(CLI::App& app, int argc, char** argv, const std::function<int()>
 double real_in_range(const std::string& option, const std::string& text, double lower,
                      double upper);
 
+/// The same for a whole number.
+int whole_in_range(const std::string& option, const std::string& text, int lower, int upper);
+
 }  // namespace talus::io

@@ -3,7 +3,7 @@
 
 #include <time.h>
 
-namespace talus::io {
+namespace talus::solve {
 
 class Stopwatch {
  public:
@@ -20,4 +20,4 @@ class Stopwatch {
   double start_;
 };
 
-}  // namespace talus::io
+}  // namespace talus::solve

@@ -1,0 +1,78 @@
+// Solving unidirectional flow on a cross-section of any dimension, by Newton on the regularised law
+// or by the interior point on the law itself.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "common/flow/interior_point.hpp"
+#include "common/flow/shear_flow.hpp"
+#include "common/solve/continuation.hpp"
+#include "common/solve/jacobian_check.hpp"
+
+namespace talus::flow {
+
+enum class Method { newton, interior_point };
+
+struct ShearOptions {
+  Method method = Method::newton;
+  rheology::Regularisation regularisation = rheology::ChauchatMedale{};
+  double lambda_r = 1e-6;
+  solve::NewtonOptions newton;
+  bool continuation = true;  ///< fall back to continuation in λr when Newton fails
+  solve::Precision precision = solve::Precision::compensated;
+  TangentTerm tangent_term = TangentTerm::full;
+  InteriorPointOptions interior_point;
+  std::function<void(const solve::CompensatedVector&)> observe = {};  ///< Newton's iterates
+};
+
+/// What drives the flow; pressure and body force by position.
+template <int Dim>
+struct ShearLoad {
+  using Position = Eigen::Matrix<double, Dim, 1>;
+  rheology::FrictionLaw law;
+  std::function<double(const Position&)> pressure;
+  std::function<double(const Position&)> body_force;
+};
+
+struct ShearSolution {
+  solve::CompensatedVector velocity;       ///< at the nodes
+  std::vector<double> shear_rate, stress;  ///< magnitudes at the quadrature points
+  solve::End end = solve::End::stagnated;
+  solve::ContinuationSummary newton;    ///< of Newton
+  InteriorPointSummary interior_point;  ///< of the interior point
+  double seconds = 0;                   ///< CPU time of the solve
+
+  bool is_of_newton() const { return interior_point.history.empty(); }
+  /// Newton iterations in all, or factorisations of the interior point.
+  int iterations() const {
+    return is_of_newton() ? newton.total_iterations() : interior_point.factorisations();
+  }
+};
+
+/// The problem Newton solves; `space` must outlive it.
+template <int Dim>
+ShearFlow<Dim> regularised_problem(CrossSection<Dim>& space, const ShearLoad<Dim>& load,
+                                   const ShearOptions& options);
+
+/// Solves from rest; Newton from `start` if it is given. The load limits are the caller's business:
+/// a mesh may return numbers for a flow that does not exist.
+template <int Dim>
+ShearSolution solve_shear(CrossSection<Dim>& space, const ShearLoad<Dim>& load,
+                          const ShearOptions& options,
+                          const solve::CompensatedVector* start = nullptr);
+
+/// A Jacobian check at a named state.
+struct NamedCheck {
+  std::string state;
+  solve::JacobianCheck check;
+};
+
+/// Checks the linearisation of the chosen method at rest, half way to the solution, and there (the
+/// interior point after 0, 3 and 6 steps). Columns are differenced one by one: for small meshes.
+template <int Dim>
+std::vector<NamedCheck> check_jacobian(CrossSection<Dim>& space, const ShearLoad<Dim>& load,
+                                       const ShearOptions& options);
+
+}  // namespace talus::flow

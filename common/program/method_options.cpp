@@ -1,0 +1,83 @@
+#include "common/program/method_options.hpp"
+
+#include <sstream>
+#include <vector>
+
+#include "common/io/options.hpp"
+
+namespace talus::program {
+namespace {
+
+std::vector<std::string> names_of_regularisations() {
+  std::vector<std::string> names;
+  for (const auto& each : rheology::regularisations()) names.push_back(rheology::name_of(each));
+  return names;
+}
+
+}  // namespace
+
+void add_method_options(CLI::App& app, MethodOptions& options) {
+  io::add_choice(app, "--method", options.method,
+                 "Newton on the regularised law, or interior point without regularisation",
+                 {"newton", "interior-point"});
+  io::add_choice(app, "--regularisation", options.regularisation, "Viscosity, eq. (9)-(12)",
+                 names_of_regularisations());
+  io::add_real(app, "--lambda-r", options.lambda_r, "Regularisation parameter, in sqrt(g/d)", 1e-15,
+               1);
+  app.add_option("--friction", options.friction,
+                 "Friction law mu_s,delta_mu,I0 [each 0.001 ... 10; default 0.383,0.26,0.279]");
+  io::add_choice(app, "--precision", options.precision,
+                 "Of Newton's iterate: double, or double with its rounding kept",
+                 {"compensated", "plain"});
+  io::add_choice(app, "--line-search", options.line_search, "Of Newton", {"energy-slope", "none"});
+  io::add_choice(app, "--tangent", options.tangent,
+                 "Derivative of the viscosity in the tangent: kept, dropped, or broken",
+                 {"full", "frozen", "wrong-sign"});
+  io::add_real(app, "--tolerance", options.tolerance,
+               "Relative residual (default 1e-12) or duality gap (default 1e-10)", 1e-16, 0.1)
+      ->default_str("");
+  io::add_integer(app, "--max-iterations", options.max_iterations,
+                  "Of Newton (default 200) or of the interior point (default 100)", 1, 100000)
+      ->default_str("");
+  app.add_flag("--no-continuation", options.no_continuation,
+               "Do not fall back to continuation in lambda_r when Newton fails");
+}
+
+flow::ShearOptions shear_options(const MethodOptions& options, flow::ShearOptions defaults) {
+  flow::ShearOptions result = std::move(defaults);
+  result.method = options.method == "newton" ? flow::Method::newton : flow::Method::interior_point;
+  result.regularisation = *rheology::regularisation_named(options.regularisation);
+  result.lambda_r = options.lambda_r;
+  result.continuation = !options.no_continuation;
+  result.precision =
+      options.precision == "plain" ? solve::Precision::plain : solve::Precision::compensated;
+  result.newton.line_search =
+      options.line_search == "none" ? solve::LineSearch::none : solve::LineSearch::energy_slope;
+  result.tangent_term = options.tangent == "full"     ? flow::TangentTerm::full
+                        : options.tangent == "frozen" ? flow::TangentTerm::frozen
+                                                      : flow::TangentTerm::wrong_sign;
+  if (options.tolerance > 0)
+    result.newton.tolerance = result.interior_point.tolerance = options.tolerance;
+  if (options.max_iterations > 0)
+    result.newton.max_iterations = result.interior_point.max_factorisations =
+        options.max_iterations;
+  return result;
+}
+
+rheology::FrictionLaw friction_law(const MethodOptions& options) {
+  rheology::FrictionLaw law;
+  if (options.friction.empty()) return law;
+  std::vector<double> numbers;
+  std::istringstream parts(options.friction);
+  for (std::string part; std::getline(parts, part, ',');)
+    numbers.push_back(io::real_in_range("--friction", part, 1e-3, 10));
+  if (numbers.size() != 3)
+    throw io::UserError("--friction: '" + options.friction +
+                        "' is not three numbers mu_s,delta_mu,I0, each 0.001 ... 10");
+  law.mu_s = numbers[0];
+  law.delta_mu = numbers[1];
+  law.I0 = numbers[2];
+  return law;
+}
+
+}  // namespace talus::program

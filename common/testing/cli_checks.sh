@@ -1,0 +1,119 @@
+# Checks of a program from outside, for the cli_test.sh beside each program. To be sourced.
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+touch "$work/file"
+failures=0 checks=0
+
+# run PROGRAM OPTIONS...: in an empty folder; leaves $code, $work/stdout and $work/stderr.
+run() {
+  rm -rf "$work/run"
+  mkdir "$work/run"
+  (cd "$work/run" && exec "$@") >"$work/stdout" 2>"$work/stderr"
+  code=$?
+}
+
+# Every check below says on stdout what is wrong, and returns 1 if anything is.
+
+expect_code() { [ "$code" -eq "$1" ] || { echo "exit code $code instead of $1"; return 1; }; }
+
+expect_text() {  # FILE TEXT...
+  local file=$1 text
+  shift
+  for text in "$@"; do
+    grep -qF -e "$text" "$work/$file" || { echo "no '$text' in $file"; return 1; }
+  done
+}
+
+expect_empty() { [ ! -s "$work/$1" ] || { echo "$1 is not empty"; return 1; }; }
+
+expect_summary() {  # of the program named
+  local summary=$work/run/results/$1/summary.json key
+  [ -f "$summary" ] || { echo "no summary.json"; return 1; }
+  if [ "$(head -n 1 "$summary")" != "{" ] || [ "$(tail -n 1 "$summary")" != "}" ]; then
+    echo "summary.json is not one JSON object"
+    return 1
+  fi
+  for key in scene model parameters status seconds results; do
+    grep -q "^  \"$key\": " "$summary" || { echo "no key '$key' in summary.json"; return 1; }
+  done
+}
+
+# succeeds SCENE PROGRAM OPTIONS...: exit 0, results written, nothing on stderr.
+succeeds() {
+  local scene=$1
+  shift
+  run "$@"
+  expect_code 0 && expect_empty stderr || return 1
+  case " $* " in
+    *" --check-jacobian "*) expect_text stdout "The tangent is the derivative" ;;
+    *) expect_summary "$scene" ;;
+  esac
+}
+
+# refuses TEXT... -- PROGRAM OPTIONS...: exit 2, one line on stderr with every TEXT, no other trace.
+refuses() {
+  local texts=()
+  while [ "$1" != -- ]; do texts+=("$1"); shift; done
+  shift
+  run "$@"
+  expect_code 2 && expect_empty stdout && expect_text stderr "${texts[@]}" || return 1
+  [ "$(wc -l <"$work/stderr")" -eq 1 ] || { echo "stderr is not one line"; return 1; }
+  [ -z "$(ls -A "$work/run")" ] || { echo "files were left behind"; return 1; }
+}
+
+# has_no_steady_flow LIMIT PROGRAM OPTIONS...: exit 1, the end and the limit on stderr.
+has_no_steady_flow() {
+  local limit=$1
+  shift
+  run "$@"
+  expect_code 1 && expect_empty stdout && expect_text stderr no_steady_state "$limit"
+}
+
+# is_at_rest SCENE PROGRAM OPTIONS...: exit 0 and says so.
+is_at_rest() { succeeds "$@" && expect_text stdout "at rest"; }
+
+# check CHECK...: counts it, and reports its failure.
+check() {
+  local message
+  checks=$((checks + 1))
+  message=$("$@") && return
+  failures=$((failures + 1))
+  printf 'FAILED: %s: %s\n' "$*" "$message"
+  cat "$work/stdout" "$work/stderr"
+}
+
+# check_fails CHECK...: negative control, the check must find something wrong.
+check_fails() {
+  checks=$((checks + 1))
+  "$@" >/dev/null || return
+  failures=$((failures + 1))
+  echo "FAILED: passed although it should not: $*"
+}
+
+# check_samples PROGRAM SOURCE FIGURE: runs the sample command lines of the header of SOURCE, three at
+# least; --plot must leave FIGURE.svg and FIGURE.png.
+check_samples() {
+  local program=$1 source=$2 figure=$3 scene samples=0 name options format
+  scene=$(basename "$program")
+  while read -r name options; do
+    samples=$((samples + 1))
+    # shellcheck disable=SC2086  # words, as a user types them
+    check succeeds "$scene" "$program" $options
+    case " $options " in *" --plot "*)
+      if ! command -v gnuplot >/dev/null; then
+        echo "skipped: the figures of '$name $options', gnuplot is missing"
+        continue
+      fi
+      for format in svg png; do
+        check test -s "$work/run/results/$scene/$figure.$format"
+      done ;;
+    esac
+  done < <(sed -n "s#^//   \($scene\)\( \|\$\)#\1 #p" "$source")
+  check test "$samples" -ge 3
+}
+
+# finish: the count of checks, and whether all held.
+finish() {
+  echo "$checks checks, $failures failed"
+  [ "$failures" -eq 0 ]
+}

@@ -1,0 +1,71 @@
+// The heap's cross-section: steady flow down a channel on a heap, section 4.1 of the paper, as one
+// scalar problem.
+//
+// Half of the channel, y in [0, W/2] (symmetry at 0, rough side wall at W/2), z in [0, H] (rough
+// bottom at 0, free flat surface at H); p = (H - z) cos α exactly, driven by sin α. Dimensionless
+// as in the paper: lengths in d, velocity in sqrt(gd).
+#pragma once
+
+#include <vector>
+
+#include "common/flow/shear_solver.hpp"
+
+namespace talus::twod {
+
+struct Section {
+  double angle = 0.41;  ///< α, radians
+  double width = 140;   ///< W, the whole channel
+  double height = 50;   ///< H
+  rheology::FrictionLaw law = {};
+};
+
+/// Elements across and up, graded towards the side wall and the free surface (1 = uniform).
+struct SectionMesh {
+  int across = 70, up = 100;
+  double grading_to_wall = 1, grading_to_surface = 1;
+};
+
+struct SectionSolution : flow::ShearSolution {
+  Section section;
+};
+
+/// What suits the section: the interior point along the uniform path, to a relative gap of 1e-8;
+/// λr = 1e-5 for Newton.
+flow::ShearOptions default_options();
+
+/// The space of a mesh: it depends on no angle, so that one serves a whole search.
+flow::CrossSection<2> space_of(const Section& section, const SectionMesh& mesh);
+
+/// Pressure (H - z) cos α and driving force sin α.
+flow::ShearLoad<2> load_of(const Section& section);
+
+/// Solves at section.angle. Newton starts from `start` if it is given (a solution on the same
+/// mesh), else from rest; the interior point always starts from rest.
+SectionSolution solve(const Section& section, flow::CrossSection<2>& space,
+                      const flow::ShearOptions& options, const SectionSolution* start = nullptr);
+
+/// Q* = (1/W) ∫ u over the whole channel.
+double flow_rate(const SectionSolution& solution, const flow::CrossSection<2>& space);
+
+/// The angle at which Q* takes this value, and the solution there; Brent's method on log Q* (GSL).
+/// Throws std::runtime_error naming the end if a solve on the way fails or the rate is out of
+/// reach.
+SectionSolution solve_for_flow_rate(double flow_rate, Section section, flow::CrossSection<2>& space,
+                                    const flow::ShearOptions& options);
+
+/// What is measured along the free surface, against y.
+struct SurfaceProfile {
+  std::vector<double> y, velocity;
+  /// Depth of the flowing layer: where the velocity first falls below 1% and 5% of that at the
+  /// surface, linear between nodes; H where it never does.
+  std::vector<double> depth_1, depth_5;
+};
+SurfaceProfile surface_profile(const SectionSolution& solution, const flow::CrossSection<2>& space);
+
+/// Share of the section whose stress exceeds μs p: where the material yields.
+double yielded_share(const SectionSolution& solution, const flow::CrossSection<2>& space);
+
+/// Limits of existence of the wide layer: at rest below arctan μs, none beyond arctan μ2.
+rheology::Regime regime(const Section& section);
+
+}  // namespace talus::twod

@@ -1,0 +1,103 @@
+#include "twod/section_report.hpp"
+
+#include <algorithm>
+
+#include "common/program/summary.hpp"
+
+namespace talus::twod {
+
+nlohmann::json summary(const SectionSolution& solution, const flow::CrossSection<2>& space) {
+  const SurfaceProfile surface = surface_profile(solution, space);
+  nlohmann::json all;
+  program::add_outcome(all, solution);
+  all["results"] = {{"flow_rate", flow_rate(solution, space)},
+                    {"angle", solution.section.angle},
+                    {"surface_velocity", surface.velocity.front()},
+                    {"depth_1_percent", surface.depth_1.front()},
+                    {"depth_5_percent", surface.depth_5.front()},
+                    {"yielded_share", yielded_share(solution, space)}};
+  return all;
+}
+
+io::Table surface_table(const SectionSolution& solution, const flow::CrossSection<2>& space) {
+  const SurfaceProfile surface = surface_profile(solution, space);
+  io::Table table{"", {"y", "velocity", "depth_1_percent", "depth_5_percent"}, {}};
+  for (std::size_t i = 0; i < surface.y.size(); ++i)
+    table.rows.push_back({io::exact(surface.y[i]), io::exact(surface.velocity[i]),
+                          io::exact(surface.depth_1[i]), io::exact(surface.depth_5[i])});
+  return table;
+}
+
+io::QuadraticGrid grid(const SectionSolution& solution, const flow::CrossSection<2>& space) {
+  // VTK's order of our tensor-product nodes: corners, edges, centre.
+  constexpr std::array<std::size_t, 9> vtk_order = {0, 2, 8, 6, 1, 5, 7, 3, 4};
+  io::QuadraticGrid grid;
+  const auto& mesh = space.mesh();
+  io::Field velocity{"velocity", {}};
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+    grid.points.push_back({0, mesh.nodes[i][0], mesh.nodes[i][1]});
+    velocity.values.push_back(solution.velocity.value()[static_cast<Eigen::Index>(i)]);
+  }
+  grid.point_fields = {velocity};
+  io::Field rate{"shear_rate", {}}, inertial{"inertial_number", {}}, pressure{"pressure", {}},
+      stress{"stress", {}}, yield{"stress_over_yield_stress", {}};
+  const auto load = load_of(solution.section);
+  const std::size_t per_element = space.points_per_element();
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    auto& cell = grid.cells.emplace_back();
+    for (std::size_t a = 0; a < cell.size(); ++a)
+      cell[a] = static_cast<long>(mesh.elements[e][vtk_order[a]]);
+    double rate_sum = 0, pressure_sum = 0, stress_sum = 0;
+    for (std::size_t k = e * per_element; k < (e + 1) * per_element; ++k) {
+      rate_sum += solution.shear_rate[k];
+      pressure_sum += load.pressure(space.points()[k].position);
+      stress_sum += solution.stress[k];
+    }
+    const double n = static_cast<double>(per_element);
+    rate.values.push_back(rate_sum / n);
+    pressure.values.push_back(pressure_sum / n);
+    stress.values.push_back(stress_sum / n);
+    inertial.values.push_back(load.law.inertial_number(rate_sum / n, pressure_sum / n));
+    yield.values.push_back(stress_sum / (load.law.mu_s * pressure_sum));
+  }
+  grid.cell_fields = {rate, inertial, pressure, stress, yield};
+  return grid;
+}
+
+io::Figure figure(const SectionSolution& solution, const flow::CrossSection<2>& space) {
+  const SurfaceProfile surface = surface_profile(solution, space);
+  io::Panel velocity{"velocity at the surface", "y / d", "u / sqrt(gd)", false, false, {}};
+  velocity.curves = {{"", surface.y, surface.velocity, io::Style::line}};
+  io::Panel depth{"depth of the flowing layer", "y / d", "depth / d", false, false, {}};
+  depth.curves = {{"1% of the surface velocity", surface.y, surface.depth_1, io::Style::line},
+                  {"5%", surface.y, surface.depth_5, io::Style::line}};
+  io::Panel profiles{"velocity below the surface",
+                     "u / sqrt(gd)",
+                     "z / d",
+                     false,
+                     false,
+                     {},
+                     std::nullopt,
+                     "bottom right"};
+  const auto& nodes = space.mesh().nodes;
+  const std::size_t columns = surface.y.size();
+  for (const double share : {0.0, 0.5, 0.8, 0.95}) {
+    const double y = share * solution.section.width / 2;
+    const auto nearest =
+        std::min_element(surface.y.begin(), surface.y.end(),
+                         [&](double a, double b) { return std::abs(a - y) < std::abs(b - y); });
+    const auto column = static_cast<std::size_t>(nearest - surface.y.begin());
+    io::Curve curve{"y = " + io::rounded(*nearest, 3), {}, {}, io::Style::line};
+    for (std::size_t i = column; i < nodes.size(); i += columns) {
+      curve.x.push_back(solution.velocity.value()[static_cast<Eigen::Index>(i)]);
+      curve.y.push_back(nodes[i][1]);
+    }
+    profiles.curves.push_back(curve);
+  }
+  return {"section",
+          "heap, cross-section at Q* = " + io::rounded(flow_rate(solution, space), 6),
+          {velocity, depth, profiles},
+          3};
+}
+
+}  // namespace talus::twod

@@ -1,0 +1,27 @@
+// What a run of the heap's cross-section leaves behind.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "common/io/figure.hpp"
+#include "common/io/table.hpp"
+#include "common/io/vtu.hpp"
+#include "twod/section.hpp"
+
+namespace talus::twod {
+
+/// summary.json without the parameters.
+nlohmann::json summary(const SectionSolution& solution, const flow::CrossSection<2>& space);
+
+/// y, surface velocity, depths of the flowing layer.
+io::Table surface_table(const SectionSolution& solution, const flow::CrossSection<2>& space);
+
+/// Velocity at the points; shear rate, I, pressure, stress and stress over μs p on the cells
+/// (means).
+io::QuadraticGrid grid(const SectionSolution& solution, const flow::CrossSection<2>& space);
+
+/// Surface velocity, depths (the paper's Fig. 10) and velocity profiles below the surface (Fig.
+/// 11).
+io::Figure figure(const SectionSolution& solution, const flow::CrossSection<2>& space);
+
+}  // namespace talus::twod

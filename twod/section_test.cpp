@@ -1,0 +1,183 @@
+// The heap's cross-section against reference values from other tools, and against itself.
+#include <cmath>
+
+#include <boost/test/unit_test.hpp>
+
+#include "common/flow/jacobian_problems.hpp"
+#include "twod/section_report.hpp"
+
+using namespace talus;
+using namespace talus::twod;
+
+namespace {
+
+flow::ShearOptions newton(double lambda_r) {
+  flow::ShearOptions options = default_options();
+  options.method = flow::Method::newton;
+  options.lambda_r = lambda_r;
+  return options;
+}
+
+double rate(const SectionMesh& mesh, double angle, const flow::ShearOptions& options) {
+  Section section;
+  section.angle = angle;
+  auto space = space_of(section, mesh);
+  const auto solution = twod::solve(section, space, options);
+  BOOST_TEST(solve::is_success(solution.end));
+  return flow_rate(solution, space);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_unregularised_flow_rate_is_that_of_another_solver) {
+  // An augmented-Lagrangian solver without regularisation found 81.6587 on this mesh.
+  BOOST_TEST(rate({18, 25}, 0.42, default_options()) == 81.6587,
+             boost::test_tools::tolerance(1e-6));
+}
+
+BOOST_AUTO_TEST_CASE(the_paper_s_mesh_gives_the_reference_flow_rate_to_nine_digits) {
+  Section section;
+  auto space = space_of(section, {});
+  const auto solution = twod::solve(section, space, newton(1e-5));
+  BOOST_TEST((solution.end == solve::End::converged));
+  BOOST_TEST(solution.newton.path.empty());
+  BOOST_TEST(solution.iterations() <= 25);
+  BOOST_TEST(flow_rate(solution, space) == 49.19365195, boost::test_tools::tolerance(2e-10));
+  const SurfaceProfile surface = surface_profile(solution, space);
+  BOOST_TEST(surface.velocity.front() == 3.734911, boost::test_tools::tolerance(2e-7));
+  BOOST_TEST(surface.velocity.back() == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(the_error_of_the_regularisation_is_linear_in_lambda_r) {
+  const SectionMesh mesh{14, 20};
+  const double exact = rate(mesh, 0.42, default_options());
+  const double coarse = rate(mesh, 0.42, newton(1e-4)) - exact;
+  const double fine = rate(mesh, 0.42, newton(1e-5)) - exact;
+  BOOST_TEST(coarse > 0);
+  BOOST_TEST(coarse / fine > 9);
+  BOOST_TEST(coarse / fine < 11);
+}
+
+BOOST_AUTO_TEST_CASE(the_interior_point_needs_few_factorisations_on_graded_meshes_too) {
+  for (const double angle : {0.37, 0.393, 0.42, 0.5}) {
+    Section section;
+    section.angle = angle;
+    auto space = space_of(section, {14, 20, 3, 3});
+    const auto solution = twod::solve(section, space, default_options());
+    BOOST_TEST((solution.end == solve::End::converged));
+    BOOST_TEST(solution.iterations() <= 60);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(without_side_walls_it_is_bagnold_s_profile) {
+  // A channel of slip walls is not offered; a very wide one comes near in its middle.
+  Section section;
+  section.width = 1e6;
+  section.angle = 0.406;
+  section.height = 14;
+  auto space = space_of(section, {8, 40, 10, 1});
+  const auto solution = twod::solve(section, space, default_options());
+  const double I_alpha = section.law.I0 * (std::tan(section.angle) - section.law.mu_s) /
+                         (section.law.mu_2() - std::tan(section.angle));
+  const double bagnold = 2. / 3 * I_alpha *
+                         std::sqrt(section.law.solid_fraction * std::cos(section.angle)) *
+                         std::pow(section.height, 1.5);
+  BOOST_TEST(surface_profile(solution, space).velocity.front() == bagnold,
+             boost::test_tools::tolerance(1e-3));
+}
+
+BOOST_AUTO_TEST_CASE(the_angle_found_for_a_flow_rate_carries_it) {
+  for (const auto& options : {newton(1e-5), default_options()}) {
+    Section section;
+    auto space = space_of(section, {14, 20});
+    const auto solution = solve_for_flow_rate(39.71, section, space, options);
+    BOOST_TEST(flow_rate(solution, space) == 39.71, boost::test_tools::tolerance(1e-6));
+    section.angle = solution.section.angle;
+    const auto again = twod::solve(section, space, options);
+    BOOST_TEST(flow_rate(again, space) == 39.71, boost::test_tools::tolerance(1e-6));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_flow_rate_out_of_reach_is_an_error) {
+  Section section;
+  auto space = space_of(section, {4, 6});
+  BOOST_CHECK_THROW(solve_for_flow_rate(1e9, section, space, default_options()),
+                    std::runtime_error);
+}
+
+BOOST_AUTO_TEST_CASE(below_the_angle_of_repose_it_rests) {
+  Section section;
+  section.angle = 0.36;
+  auto space = space_of(section, {7, 10});
+  const auto solution = twod::solve(section, space, default_options());
+  BOOST_TEST(solution.interior_point.at_rest);
+  BOOST_TEST(solution.velocity.value().norm() == 0);
+  BOOST_TEST(yielded_share(solution, space) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(past_the_largest_friction_the_mesh_has_no_solution_and_says_so) {
+  Section section;
+  section.angle = 0.65;
+  section.width = 1e6;  // side walls carry part of the load
+  BOOST_TEST((regime(section) == rheology::Regime::no_steady_state));
+  auto space = space_of(section, {2, 10});
+  BOOST_TEST((twod::solve(section, space, default_options()).end == solve::End::no_steady_state));
+}
+
+BOOST_AUTO_TEST_CASE(every_tangent_is_the_derivative_of_its_residual) {
+  Section section;
+  auto space = space_of(section, {3, 4});
+  for (const auto& regularisation : rheology::regularisations()) {
+    flow::ShearOptions options = newton(1e-4);
+    options.regularisation = regularisation;
+    for (const auto& named : flow::check_jacobian(space, load_of(section), options))
+      BOOST_TEST(named.check.passed(), rheology::name_of(regularisation) << ", " << named.state);
+  }
+  for (const auto& named : flow::check_jacobian(space, load_of(section), default_options()))
+    BOOST_TEST(named.check.passed(), "interior point, " << named.state);
+}
+
+BOOST_AUTO_TEST_CASE(a_tangent_without_the_viscosity_s_derivative_is_caught) {
+  Section section;
+  auto space = space_of(section, {3, 4});
+  for (const auto term : {flow::TangentTerm::frozen, flow::TangentTerm::wrong_sign}) {
+    flow::ShearOptions options = newton(1e-4);
+    options.tangent_term = term;
+    BOOST_TEST(!flow::check_jacobian(space, load_of(section), options).back().check.passed());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_elimination_solves_the_linearised_optimality_system) {
+  // On the central path only: off it the symmetric part of the tangent is used.
+  Section section;
+  auto space = space_of(section, {3, 4});
+  const auto load = load_of(section);
+  flow::InteriorPoint<2> problem(space, load.law, load.pressure, load.body_force);
+  BOOST_TEST(flow::elimination_error(problem, problem.start()) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(the_grid_lists_every_cell_with_its_nine_nodes_and_all_fields) {
+  Section section;
+  auto space = space_of(section, {3, 4});
+  const auto solution = twod::solve(section, space, default_options());
+  const io::QuadraticGrid quads = grid(solution, space);
+  BOOST_TEST(quads.cells.size() == 12U);
+  BOOST_TEST(quads.points.size() == 63U);
+  for (const auto& cell : quads.cells) {
+    // The middles lie between the corners they follow, the centre in the middle of all.
+    for (std::size_t edge = 0; edge < 4; ++edge)
+      for (std::size_t d = 0; d < 3; ++d) {
+        const auto at = [&](std::size_t i) {
+          return quads.points[static_cast<std::size_t>(cell[i])][d];
+        };
+        BOOST_TEST(at(4 + edge) == 0.5 * (at(edge) + at((edge + 1) % 4)),
+                   boost::test_tools::tolerance(1e-12));
+        BOOST_TEST(at(8) == 0.25 * (at(0) + at(1) + at(2) + at(3)),
+                   boost::test_tools::tolerance(1e-12));
+      }
+  }
+  const std::string vtu = io::to_vtu(quads);
+  for (const char* text : {"NumberOfPoints=\"63\"", "NumberOfCells=\"12\"", "velocity",
+                           "inertial_number", "</VTKFile>"})
+    BOOST_TEST(vtu.find(text) != std::string::npos, text);
+}
