@@ -137,6 +137,7 @@ SurfaceProfile surface_profile(const SectionSolution& solution,
     };
     const double at_surface = velocity_at(rows - 1);
     const auto depth_below = [&](double threshold) {
+      if (at_surface <= 0) return 0.0;
       for (std::size_t row = rows - 1; row-- > 0;) {
         const double below = velocity_at(row), above = velocity_at(row + 1);
         if (below >= threshold) continue;

@@ -46,6 +46,10 @@ BOOST_AUTO_TEST_CASE(the_paper_s_mesh_gives_the_reference_flow_rate_to_nine_digi
   const SurfaceProfile surface = surface_profile(solution, space);
   BOOST_TEST(surface.velocity.front() == 3.734911, boost::test_tools::tolerance(2e-7));
   BOOST_TEST(surface.velocity.back() == 0.0);
+  BOOST_TEST(surface.depth_1.back() == 0.0);
+  // The layer flows deeper in the middle, and deeper to 1% of its velocity than to 5%.
+  BOOST_TEST(surface.depth_1.front() > surface.depth_1[100]);
+  BOOST_TEST(surface.depth_1.front() > surface.depth_5.front());
 }
 
 BOOST_AUTO_TEST_CASE(the_error_of_the_regularisation_is_linear_in_lambda_r) {

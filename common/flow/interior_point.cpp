@@ -184,13 +184,6 @@ double InteriorPoint<Dim>::predicted_gap(const ConeState<Dim>& state, double len
 }
 
 template <int Dim>
-bool InteriorPoint<Dim>::is_within_yield(const ConeState<Dim>& state) const {
-  for (std::size_t k = 0; k < pressure_.size(); ++k)
-    if (state.stress[k].norm() > law_.mu_s * pressure_[k]) return false;
-  return true;
-}
-
-template <int Dim>
 InteriorPointIteration InteriorPoint<Dim>::measure(const ConeState<Dim>& state,
                                                    const ConeResidual<Dim>& r) const {
   InteriorPointIteration record;
@@ -283,7 +276,7 @@ InteriorPointSummary InteriorPoint<Dim>::solve(ConeState<Dim>& state,
     } else if (!is_finite || ++since_good >= patience) {
       return gave_up(is_finite ? solve::End::stagnated : solve::End::non_finite);
     }
-    if (in_equilibrium && is_within_yield(state)) {
+    if (in_equilibrium && is_within_yield<Dim>(law_, pressure_, state.stress)) {
       // Rest is then the exact minimum of the discrete energy.
       state.velocity.set_zero();
       state.gradient.assign(state.gradient.size(), Vector::Zero());

@@ -123,7 +123,6 @@ class InteriorPoint {
   bool advance(ConeState<Dim>& state, ConeResidual<Dim>& r, InteriorPointIteration& record,
                const InteriorPointOptions& options);
   double predicted_gap(const ConeState<Dim>& state, double length, const ConeStep<Dim>& step) const;
-  bool is_within_yield(const ConeState<Dim>& state) const;
 
   Space& space_;
   rheology::FrictionLaw law_;

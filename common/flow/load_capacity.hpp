@@ -1,4 +1,4 @@
-// Whether a load exceeds what the material can carry on a mesh.
+// Certificates of what a load does to the material on a mesh: rest, or more than it can carry.
 #pragma once
 
 #include <span>
@@ -21,6 +21,15 @@ double recession(const CrossSection<Dim>& space, const rheology::FrictionLaw& la
   for (std::size_t k = 0; k < g.size(); ++k)
     sum += space.points()[k].weight * law.mu_2() * pressure[k] * g[k].norm();
   return sum;
+}
+
+/// Whether |τ| <= μs p at every quadrature point; with τ in equilibrium, a certificate of rest.
+template <int Dim>
+bool is_within_yield(const rheology::FrictionLaw& law, std::span<const double> pressure,
+                     std::span<const Eigen::Matrix<double, Dim, 1>> stress) {
+  for (std::size_t k = 0; k < pressure.size(); ++k)
+    if (stress[k].norm() > law.mu_s * pressure[k]) return false;
+  return true;
 }
 
 }  // namespace talus::flow
