@@ -8,19 +8,6 @@
 namespace talus::oned {
 namespace {
 
-int print_jacobian_check(const ShearScene& scene, const std::vector<double>& line,
-                         const SolveOptions& options) {
-  bool passed = true;
-  for (const flow::NamedCheck& named : check_jacobian(scene, line, options)) {
-    std::cout << "Jacobian check of " << scene.name << ", state: " << named.state << '\n';
-    solve::print(std::cout, named.check);
-    passed = passed && named.check.passed();
-  }
-  std::cout << (passed ? "The tangent is the derivative of the residual.\n"
-                       : "The tangent is NOT the derivative of the residual.\n");
-  return passed ? 0 : 1;
-}
-
 void print_outcome(const ShearScene& scene, const Solution& solution, const nlohmann::json& summary,
                    double lambda_r) {
   const double velocity = summary["results"]["max_velocity"];
@@ -57,7 +44,8 @@ int run(const ShearScene& scene, const ProgramOptions& options, const nlohmann::
   RunParameters run{options.mesh, {program::shear_options(options.method)}, parameters};
   if (!options.align.empty()) run.mesh.align = io::real_in_range("--align", options.align, 0, 0.99);
   const std::vector<double> line = boundaries(scene, run.mesh);
-  if (options.check_jacobian) return print_jacobian_check(scene, line, run.solve);
+  if (options.check_jacobian)
+    return program::report(scene.name, check_jacobian(scene, line, run.solve));
   const io::ResultFolder folder(options.output);
 
   // 2. The limits of existence come first: past them a mesh can return a number all the same.

@@ -55,30 +55,25 @@ nlohmann::json parameters(const Options& options, const flow::ShearOptions& meth
   return all;
 }
 
-int check_jacobian(flow::CrossSection<2>& space, const twod::Section& section,
-                   const flow::ShearOptions& method) {
-  bool passed = true;
-  for (const auto& named : flow::check_jacobian(space, twod::load_of(section), method)) {
-    std::cout << "Jacobian check of heap, state: " << named.state << '\n';
-    solve::print(std::cout, named.check);
-    passed = passed && named.check.passed();
-  }
-  std::cout << (passed ? "The tangent is the derivative of the residual.\n"
-                       : "The tangent is NOT the derivative of the residual.\n");
-  return passed ? 0 : 1;
-}
-
 int run(Options& options) {
   // 1. The mesh of half the section.
   read_elements(options);
   options.section.law = program::friction_law(options.method);
   const flow::ShearOptions method = program::shear_options(options.method, twod::default_options());
   flow::CrossSection<2> space = twod::space_of(options.section, options.mesh);
-  if (options.check_jacobian) return check_jacobian(space, options.section, method);
+  if (options.check_jacobian)
+    return program::report("heap",
+                           flow::check_jacobian(space, twod::load_of(options.section), method));
   const io::ResultFolder folder(options.output);
+
+  nlohmann::json results = {
+      {"scene", "heap"}, {"model", options.model}, {"parameters", parameters(options, method)}};
 
   // 2. The limits of existence come first.
   if (twod::regime(options.section) == rheology::Regime::no_steady_state) {
+    results["status"] = solve::name_of(solve::End::no_steady_state);
+    results["results"] = nlohmann::json::object();
+    folder.write("summary.json", results.dump(2) + "\n");
     std::cerr << "heap: no_steady_state: no steady flow for angle >= "
               << io::rounded(std::atan(options.section.law.mu_2()), 6) << "; "
               << solve::advice_for(solve::End::no_steady_state) << '\n';
@@ -92,8 +87,6 @@ int run(Options& options) {
           : twod::solve(options.section, space, method);
 
   // 4. What came out.
-  nlohmann::json results = {
-      {"scene", "heap"}, {"model", options.model}, {"parameters", parameters(options, method)}};
   results.update(twod::summary(solution, space));
   std::cout << program::outcome_line(solution) << '\n'
             << "flow rate Q* = " << io::rounded(results["results"]["flow_rate"], 10)

@@ -1,5 +1,7 @@
 #include "common/program/summary.hpp"
 
+#include <iostream>
+
 namespace talus::program {
 namespace {
 
@@ -76,6 +78,18 @@ io::Table iteration_table(const flow::ShearSolution& solution) {
 
 std::string iteration_file(const flow::ShearSolution& solution) {
   return solution.is_of_newton() ? "newton.csv" : "interior_point.csv";
+}
+
+int report(const std::string& scene, const std::vector<flow::NamedCheck>& checks) {
+  bool passed = true;
+  for (const flow::NamedCheck& named : checks) {
+    std::cout << "Jacobian check of " << scene << ", state: " << named.state << '\n';
+    solve::print(std::cout, named.check);
+    passed = passed && named.check.passed();
+  }
+  std::cout << (passed ? "The tangent is the derivative of the residual.\n"
+                       : "The tangent is NOT the derivative of the residual.\n");
+  return passed ? 0 : 1;
 }
 
 std::string outcome_line(const flow::ShearSolution& solution) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -20,6 +21,9 @@ void add_outcome(nlohmann::json& summary, const flow::ShearSolution& solution);
 io::Table iteration_table(const flow::ShearSolution& solution);
 /// newton.csv or interior_point.csv.
 std::string iteration_file(const flow::ShearSolution& solution);
+
+/// Prints the checks of a scene and whether all passed; the exit code of --check-jacobian.
+int report(const std::string& scene, const std::vector<flow::NamedCheck>& checks);
 
 /// The end of the solve in one line.
 std::string outcome_line(const flow::ShearSolution& solution);
