@@ -49,6 +49,11 @@ Mesh<2> rectangle_mesh(std::span<const double> first, std::span<const double> se
       auto& element = mesh.elements.emplace_back();
       for (std::size_t node = 0; node < element.size(); ++node)
         element[node] = index(2 * column + node % 3, 2 * row + node / 3);
+      const std::size_t number = mesh.elements.size() - 1;
+      if (column == 0) mesh.boundaries["left"].push_back({number, 0});
+      if (column + 2 == first.size()) mesh.boundaries["right"].push_back({number, 1});
+      if (row == 0) mesh.boundaries["bottom"].push_back({number, 2});
+      if (row + 2 == second.size()) mesh.boundaries["top"].push_back({number, 3});
     }
   return mesh;
 }

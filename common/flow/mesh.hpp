@@ -1,9 +1,11 @@
-// Meshes of quadratic tensor-product elements for cross-sections.
+// Meshes of quadratic tensor-product elements, with named boundaries.
 #pragma once
 
 #include <array>
 #include <functional>
+#include <map>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,20 +14,40 @@
 
 namespace talus::flow {
 
-/// A mesh of quadratic elements; lengths in L. `fixed` marks the nodes without slip.
+/// A side of an element: 2d where reference coordinate d is -1, 2d + 1 where it is 1.
+struct Face {
+  std::size_t element = 0;
+  int side = 0;
+};
+
+/// A mesh of quadratic elements; lengths in L. `fixed` marks the nodes without slip of a
+/// cross-section; velocity-pressure flow takes its conditions by the name of the boundary.
 template <int Dim>
 struct Mesh {
   static constexpr int nodes_per_element = fem::quadratic_nodes(Dim);
   std::vector<Eigen::Matrix<double, Dim, 1>> nodes;
   std::vector<std::array<Eigen::Index, nodes_per_element>> elements;
   std::vector<bool> fixed;
+  std::map<std::string, std::vector<Face>> boundaries;
 };
+
+/// Nodes of a side within an element, in the order of the remaining reference coordinates.
+template <int Dim>
+std::array<std::size_t, fem::quadratic_nodes(Dim - 1)> face_nodes(int side) {
+  std::array<std::size_t, fem::quadratic_nodes(Dim - 1)> nodes{};
+  const std::size_t stride = static_cast<std::size_t>(fem::quadratic_nodes(side / 2));
+  std::size_t found = 0;
+  for (std::size_t node = 0; node < Mesh<Dim>::nodes_per_element; ++node)
+    if (node / stride % 3 == (side % 2 ? 2u : 0u)) nodes[found++] = node;
+  return nodes;
+}
 
 /// The line with these element boundaries, a node in the middle of each element.
 Mesh<1> line_mesh(std::span<const double> boundaries, bool fixed_at_start, bool fixed_at_end);
 
 /// The rectangle of these element boundaries in both directions; node i + 3j of an element lies at
 /// the i-th place along the first and the j-th along the second. `is_fixed` decides by position.
+/// Boundaries: "left", "right" (ends of the first), "bottom", "top" (of the second).
 Mesh<2> rectangle_mesh(std::span<const double> first, std::span<const double> second,
                        const std::function<bool(const Eigen::Vector2d&)>& is_fixed);
 
