@@ -39,6 +39,11 @@ class CompensatedVector {
            (static_cast<long double>(correction_[i]) - correction_[j]);
   }
 
+  /// The same in double: for sums in which no stiff neighbour needs the last digits.
+  double short_difference(Eigen::Index i, Eigen::Index j) const {
+    return (value_[i] - value_[j]) + (correction_[i] - correction_[j]);
+  }
+
   /// Relative error with which a component is held.
   double resolution() const {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();

@@ -37,4 +37,15 @@ LineSearchResult search_energy_slope(double initial_slope,
   return {};
 }
 
+LineSearchResult search_residual_norm(double initial_norm,
+                                      const std::function<double(double)>& norm, double smallest) {
+  constexpr double decrease = 1e-4;
+  int evaluations = 0;
+  for (double step = 1; step >= smallest; step *= 0.5) {
+    ++evaluations;
+    if (norm(step) <= (1 - decrease * step) * initial_norm) return {step, evaluations};
+  }
+  return {0, evaluations};
+}
+
 }  // namespace talus::solve

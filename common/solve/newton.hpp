@@ -18,17 +18,32 @@ struct Residual {
   Eigen::VectorXd value;
   Eigen::VectorXd magnitude;  ///< sum of the absolute values of the contributions
   Eigen::VectorXd round_off;  ///< bound on the rounding error of the value: the computed floor
+  /// Ends of the blocks of one kind (momentum, mass), each judged by its own magnitude; empty: one.
+  std::vector<Eigen::Index> block_ends = {};
 
-  /// max|value| / max magnitude: what "converged" is judged by.
-  double relative_norm() const { return value.lpNorm<Eigen::Infinity>() / scale(); }
+  /// max|value| / max magnitude, of the worst block: what "converged" is judged by.
+  double relative_norm() const { return relative(value); }
   /// max round_off / max magnitude: the floor in the same measure.
-  double relative_round_off() const { return round_off.lpNorm<Eigen::Infinity>() / scale(); }
+  double relative_round_off() const { return relative(round_off); }
   bool is_round_off() const { return (value.array().abs() <= round_off.array()).all(); }
   bool is_finite() const { return value.allFinite() && magnitude.allFinite(); }
 
  private:
-  double scale() const {
-    return std::max(magnitude.lpNorm<Eigen::Infinity>(), std::numeric_limits<double>::min());
+  double relative(const Eigen::VectorXd& v) const {
+    double worst = 0;
+    Eigen::Index start = 0;
+    const auto block = [&](Eigen::Index end) {
+      const double scale = magnitude.segment(start, end - start).lpNorm<Eigen::Infinity>();
+      const double size = v.segment(start, end - start).lpNorm<Eigen::Infinity>();
+      // Not std::max: a NaN must come through.
+      if (const double ratio = size / std::max(scale, std::numeric_limits<double>::min());
+          !(ratio <= worst))
+        worst = ratio;
+      start = end;
+    };
+    for (const Eigen::Index end : block_ends) block(end);
+    if (start < v.size()) block(v.size());
+    return worst;
   }
 };
 
@@ -42,8 +57,9 @@ concept NewtonProblem = requires(P problem, typename P::State& state, const Eige
   { state.value() } -> std::same_as<const Eigen::VectorXd&>;
 };
 
-/// `energy_slope` needs a residual that is the gradient of a convex energy.
-enum class LineSearch { none, energy_slope };
+/// `energy_slope` needs a residual that is the gradient of a convex energy; `residual_norm` halves
+/// the step until the Euclidean norm of the residual falls.
+enum class LineSearch { none, energy_slope, residual_norm };
 
 struct NewtonOptions {
   double tolerance = 1e-12;  ///< on Residual::relative_norm()
@@ -80,6 +96,11 @@ struct LineSearchResult {
 /// whose differences cancel near the solution. False position (Illinois) between the two.
 LineSearchResult search_energy_slope(double initial_slope,
                                      const std::function<double(double)>& slope);
+
+/// Halves the step from 1 until the norm falls a little (Armijo), down to `smallest`.
+LineSearchResult search_residual_norm(double initial_norm,
+                                      const std::function<double(double)>& norm,
+                                      double smallest = 1e-4);
 
 /// Solves R(state) = 0 in place. Every state accepted is recorded; on a failure the state is the
 /// last accepted one. `observe` sees each accepted state, the start included. A failure ends as
@@ -119,6 +140,18 @@ NewtonSummary newton(P& problem, typename P::State& state, const NewtonOptions& 
     LineSearchResult found{1, 1};
     if (options.line_search == LineSearch::none) {
       slope_at(1);
+    } else if (options.line_search == LineSearch::residual_norm) {
+      const double initial_norm = residual->value.norm();
+      found = search_residual_norm(initial_norm, [&](double step) {
+        slope_at(step);
+        return residual->is_round_off() ? 0 : residual->value.norm();
+      });
+      if (found.step == 0) {
+        problem.evaluate(state);
+        return ended(residual->relative_norm() <= residual->relative_round_off()
+                         ? End::at_round_off_floor
+                         : End::line_search_failed);
+      }
     } else {
       const double initial_slope = residual->value.dot(direction.value());
       found = search_energy_slope(initial_slope, slope_at);

@@ -1,0 +1,77 @@
+// Boundary conditions of velocity-pressure flow, by the name of the boundary.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+
+#include <Eigen/Core>
+
+namespace talus::flow {
+
+/// What holds on one boundary. Velocity components are prescribed or carry a traction of the
+/// dynamic stress ηγ - p_dyn 1 (in φρgL, zero if nothing is said).
+template <int Dim>
+struct BoundaryCondition {
+  using Vector = Eigen::Matrix<double, Dim, 1>;
+  std::array<bool, Dim> fixed{};
+  std::function<Vector(const Vector& position)> velocity = {};  ///< of fixed components; or zero
+  std::function<Vector(const Vector& position, const Vector& normal)> traction = {};
+  bool open = false;  ///< the traction is what the flow inside makes it, eq. (8)
+};
+
+template <int Dim>
+using BoundaryConditions = std::map<std::string, BoundaryCondition<Dim>>;
+
+template <int Dim>
+BoundaryCondition<Dim> prescribed_velocity(
+    std::function<Eigen::Matrix<double, Dim, 1>(const Eigen::Matrix<double, Dim, 1>&)> velocity) {
+  BoundaryCondition<Dim> condition;
+  condition.fixed.fill(true);
+  condition.velocity = std::move(velocity);
+  return condition;
+}
+
+template <int Dim>
+BoundaryCondition<Dim> no_slip() {
+  return prescribed_velocity<Dim>({});
+}
+
+/// No flow through a plane normal to `axis`, no friction along it.
+template <int Dim>
+BoundaryCondition<Dim> symmetry(std::size_t axis) {
+  BoundaryCondition<Dim> condition;
+  condition.fixed[axis] = true;
+  return condition;
+}
+
+/// In- or outflow through a plane normal to `axis`: velocity along it, no dynamic normal traction.
+template <int Dim>
+BoundaryCondition<Dim> fully_developed(std::size_t axis) {
+  BoundaryCondition<Dim> condition;
+  condition.fixed.fill(true);
+  condition.fixed[axis] = false;
+  return condition;
+}
+
+template <int Dim>
+BoundaryCondition<Dim> prescribed_traction(
+    std::function<Eigen::Matrix<double, Dim, 1>(const Eigen::Matrix<double, Dim, 1>& position,
+                                                const Eigen::Matrix<double, Dim, 1>& normal)>
+        traction) {
+  BoundaryCondition<Dim> condition;
+  condition.traction = std::move(traction);
+  return condition;
+}
+
+/// The paper's outflow: the boundary term of the weak form stays, with the unknowns in it.
+template <int Dim>
+BoundaryCondition<Dim> open_boundary() {
+  BoundaryCondition<Dim> condition;
+  condition.open = true;
+  return condition;
+}
+
+}  // namespace talus::flow

@@ -1,0 +1,232 @@
+#include "common/flow/manufactured.hpp"
+
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include <boost/math/differentiation/autodiff.hpp>
+
+namespace talus::flow {
+namespace {
+
+// Each flow: functions of the coordinates for velocity and pressure, of any number type.
+
+// γ_xy = 1 everywhere, so |γ| >= 1.
+struct Sheared2 {
+  static constexpr const char* name = "sheared";
+  static constexpr double lambda_r = 1e-3;
+  template <class X, class Y>
+  static auto u(const X& x, const Y& y) {
+    return y + 0.2 * sin(x) * cos(y);
+  }
+  template <class X, class Y>
+  static auto v(const X& x, const Y& y) {
+    return -0.2 * cos(x) * sin(y);
+  }
+  template <class X, class Y>
+  static auto p(const X& x, const Y& y) {
+    return 2.0 + 0.5 * sin(x) * cos(2.0 * y);
+  }
+};
+
+// γ_xy = cos x + cos y changes sign inside: a line of no shear, smoothed by a moderate λr.
+struct Turning2 {
+  static constexpr const char* name = "turning";
+  static constexpr double lambda_r = 0.3;
+  template <class X, class Y>
+  static auto u(const X& x, const Y& y) {
+    return sin(2.0 * y) + 0.0 * x;
+  }
+  template <class X, class Y>
+  static auto v(const X& x, const Y& y) {
+    return sin(2.0 * x) + 0.0 * y;
+  }
+  template <class X, class Y>
+  static auto p(const X& x, const Y& y) {
+    return 2.0 + 0.5 * cos(x + y);
+  }
+};
+
+// A sheared Arnold-Beltrami-Childress flow.
+struct Sheared3 {
+  static constexpr const char* name = "sheared";
+  static constexpr double lambda_r = 1e-3;
+  template <class X, class Y, class Z>
+  static auto u(const X& x, const Y& y, const Z& z) {
+    return 2.0 * y + 0.2 * sin(z) + 0.3 * cos(y) + 0.0 * x;
+  }
+  template <class X, class Y, class Z>
+  static auto v(const X& x, const Y& y, const Z& z) {
+    return 0.25 * sin(x) + 0.2 * cos(z) + 0.0 * y;
+  }
+  template <class X, class Y, class Z>
+  static auto w(const X& x, const Y& y, const Z& z) {
+    return 0.3 * sin(y) + 0.25 * cos(x) + 0.0 * z;
+  }
+  template <class X, class Y, class Z>
+  static auto p(const X& x, const Y& y, const Z& z) {
+    return 2.0 + 0.5 * sin(x) * cos(y) * cos(z);
+  }
+};
+
+struct Turning3 {
+  static constexpr const char* name = "turning";
+  static constexpr double lambda_r = 0.3;
+  template <class X, class Y, class Z>
+  static auto u(const X& x, const Y& y, const Z& z) {
+    return sin(2.0 * y) + 0.5 * cos(z) + 0.0 * x;
+  }
+  template <class X, class Y, class Z>
+  static auto v(const X& x, const Y& y, const Z& z) {
+    return sin(2.0 * x) + 0.0 * y * z;
+  }
+  template <class X, class Y, class Z>
+  static auto w(const X& x, const Y& y, const Z& z) {
+    return 0.5 * sin(x + y) + 0.0 * z;
+  }
+  template <class X, class Y, class Z>
+  static auto p(const X& x, const Y& y, const Z& z) {
+    return 2.0 + 0.5 * cos(x + y) * cos(z);
+  }
+};
+
+// Fills row i of the velocity from a value with all derivatives up to the second.
+template <class Jet>
+void fill(FlowDerivatives<2>& at, Eigen::Index i, const Jet& jet) {
+  at.velocity[i] = jet.derivative(0, 0);
+  at.gradient.row(i) << jet.derivative(1, 0), jet.derivative(0, 1);
+  at.hessian[static_cast<std::size_t>(i)] << jet.derivative(2, 0), jet.derivative(1, 1),
+      jet.derivative(1, 1), jet.derivative(0, 2);
+}
+template <class Jet>
+void fill(FlowDerivatives<3>& at, Eigen::Index i, const Jet& jet) {
+  at.velocity[i] = jet.derivative(0, 0, 0);
+  at.gradient.row(i) << jet.derivative(1, 0, 0), jet.derivative(0, 1, 0), jet.derivative(0, 0, 1);
+  at.hessian[static_cast<std::size_t>(i)] << jet.derivative(2, 0, 0), jet.derivative(1, 1, 0),
+      jet.derivative(1, 0, 1), jet.derivative(1, 1, 0), jet.derivative(0, 2, 0),
+      jet.derivative(0, 1, 1), jet.derivative(1, 0, 1), jet.derivative(0, 1, 1),
+      jet.derivative(0, 0, 2);
+}
+
+template <class Flow>
+FlowDerivatives<2> derivatives2(const Point<2>& position) {
+  const auto [x, y] =
+      boost::math::differentiation::make_ftuple<double, 2, 2>(position[0], position[1]);
+  FlowDerivatives<2> at;
+  fill(at, 0, Flow::u(x, y));
+  fill(at, 1, Flow::v(x, y));
+  const auto p = Flow::p(x, y);
+  at.pressure = p.derivative(0, 0);
+  at.pressure_gradient << p.derivative(1, 0), p.derivative(0, 1);
+  return at;
+}
+
+template <class Flow>
+FlowDerivatives<3> derivatives3(const Point<3>& position) {
+  const auto [x, y, z] = boost::math::differentiation::make_ftuple<double, 2, 2, 2>(
+      position[0], position[1], position[2]);
+  FlowDerivatives<3> at;
+  fill(at, 0, Flow::u(x, y, z));
+  fill(at, 1, Flow::v(x, y, z));
+  fill(at, 2, Flow::w(x, y, z));
+  const auto p = Flow::p(x, y, z);
+  at.pressure = p.derivative(0, 0, 0);
+  at.pressure_gradient << p.derivative(1, 0, 0), p.derivative(0, 1, 0), p.derivative(0, 0, 1);
+  return at;
+}
+
+template <int Dim>
+double shear_rate_of(const Eigen::Matrix<double, Dim, Dim>& gamma) {
+  return gamma.norm() / std::sqrt(2.0);
+}
+
+}  // namespace
+
+template <int Dim>
+Point<Dim> ManufacturedFlow<Dim>::body_force(const Point<Dim>& position,
+                                             const rheology::Rheology& rheology,
+                                             double inertia) const {
+  using Tensor = Eigen::Matrix<double, Dim, Dim>;
+  const FlowDerivatives<Dim> flow = at(position);
+  const Tensor gamma = flow.gradient + flow.gradient.transpose();
+  const double shear_rate = shear_rate_of<Dim>(gamma);
+  const rheology::Viscosity v = rheology.evaluate(shear_rate, flow.pressure);
+  Point<Dim> force = inertia * flow.gradient * flow.velocity + flow.pressure_gradient;
+  for (int j = 0; j < Dim; ++j) {
+    Tensor gamma_slope;  // ∂_j γ
+    for (int i = 0; i < Dim; ++i)
+      for (int k = 0; k < Dim; ++k)
+        gamma_slope(i, k) = flow.hessian[static_cast<std::size_t>(i)](k, j) +
+                            flow.hessian[static_cast<std::size_t>(k)](i, j);
+    double viscosity_slope = v.d_eta_d_pressure * flow.pressure_gradient[j];
+    if (shear_rate > 0)
+      viscosity_slope +=
+          v.d_eta_d_shear_rate * gamma.cwiseProduct(gamma_slope).sum() / (2 * shear_rate);
+    force -= v.eta * gamma_slope.col(j) + viscosity_slope * gamma.col(j);
+  }
+  return force;
+}
+
+template <int Dim>
+DenseLoad<Dim> ManufacturedFlow<Dim>::load(const rheology::Rheology& rheology,
+                                           double inertia) const {
+  return {
+      [](const Point<Dim>&) { return 0.0; },
+      [this, rheology, inertia](const Point<Dim>& x) { return body_force(x, rheology, inertia); },
+      inertia};
+}
+
+template <int Dim>
+Point<Dim> ManufacturedFlow<Dim>::traction(const Point<Dim>& position, const Point<Dim>& normal,
+                                           const rheology::Rheology& rheology) const {
+  const FlowDerivatives<Dim> flow = at(position);
+  const Eigen::Matrix<double, Dim, Dim> gamma = flow.gradient + flow.gradient.transpose();
+  return rheology.evaluate(shear_rate_of<Dim>(gamma), flow.pressure).eta * gamma * normal -
+         flow.pressure * normal;
+}
+
+template <>
+const std::vector<ManufacturedFlow<2>>& manufactured_flows() {
+  static const std::vector<ManufacturedFlow<2>> flows = {
+      {Sheared2::name, Sheared2::lambda_r, derivatives2<Sheared2>},
+      {Turning2::name, Turning2::lambda_r, derivatives2<Turning2>}};
+  return flows;
+}
+
+template <>
+const std::vector<ManufacturedFlow<3>>& manufactured_flows() {
+  static const std::vector<ManufacturedFlow<3>> flows = {
+      {Sheared3::name, Sheared3::lambda_r, derivatives3<Sheared3>},
+      {Turning3::name, Turning3::lambda_r, derivatives3<Turning3>}};
+  return flows;
+}
+
+template <int Dim>
+FlowErrors errors_against(const ManufacturedFlow<Dim>& exact, const DenseSpace<Dim>& space,
+                          const solve::CompensatedVector& state) {
+  constexpr int points_per_direction = 4;  // one more than the solver: no superconvergent points
+  FlowErrors squares;
+  const auto rule = gauss_rule<Dim>(points_per_direction);
+  for (std::size_t e = 0; e < space.element_count(); ++e)
+    for (const auto& point : rule) {
+      const auto values = space.values_at(state, e, point.position);
+      const FlowDerivatives<Dim> at = exact.at(values.position);
+      const double weight =
+          point.weight * ElementPoint<Dim>(space.mesh(), e, point.position).determinant;
+      squares.velocity += weight * (values.velocity - at.velocity).squaredNorm();
+      squares.gradient += weight * (values.velocity_gradient - at.gradient).squaredNorm();
+      squares.pressure += weight * std::pow(values.pressure - at.pressure, 2);
+      squares.divergence += weight * std::pow(values.divergence(), 2);
+    }
+  return {std::sqrt(squares.velocity), std::sqrt(squares.gradient), std::sqrt(squares.pressure),
+          std::sqrt(squares.divergence)};
+}
+
+template struct ManufacturedFlow<2>;
+template struct ManufacturedFlow<3>;
+template FlowErrors errors_against(const ManufacturedFlow<2>&, const DenseSpace<2>&,
+                                   const solve::CompensatedVector&);
+template FlowErrors errors_against(const ManufacturedFlow<3>&, const DenseSpace<3>&,
+                                   const solve::CompensatedVector&);
+
+}  // namespace talus::flow

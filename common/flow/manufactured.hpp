@@ -1,0 +1,52 @@
+// Manufactured flows: smooth divergence-free velocities and positive pressures with the body force
+// that makes them solutions, whatever the law. Derivatives come from automatic differentiation.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/flow/dense_flow.hpp"
+
+namespace talus::flow {
+
+/// Velocity and pressure with their derivatives at a point.
+template <int Dim>
+struct FlowDerivatives {
+  Point<Dim> velocity, pressure_gradient;
+  Eigen::Matrix<double, Dim, Dim> gradient;                  ///< (i, j) = ∂_j u_i
+  std::array<Eigen::Matrix<double, Dim, Dim>, Dim> hessian;  ///< [i](j, k) = ∂_j ∂_k u_i
+  double pressure = 0;
+};
+
+template <int Dim>
+struct ManufacturedFlow {
+  std::string name;
+  double lambda_r = 0;  ///< with which its viscosity is smooth on the scale of a coarse mesh
+  std::function<FlowDerivatives<Dim>(const Point<Dim>&)> at;
+
+  /// f = (u·grad) u + grad p - div(ηγ), eq. (3), with p the total pressure.
+  Point<Dim> body_force(const Point<Dim>& position, const rheology::Rheology& rheology,
+                        double inertia) const;
+  /// What makes it a solution of DenseFlow; no static pressure. The flow must outlive the load.
+  DenseLoad<Dim> load(const rheology::Rheology& rheology, double inertia) const;
+  /// Its traction (ηγ - p 1) n.
+  Point<Dim> traction(const Point<Dim>& position, const Point<Dim>& normal,
+                      const rheology::Rheology& rheology) const;
+};
+
+/// The registry: |γ| bounded away from zero, and with a line of no shear.
+template <int Dim>
+const std::vector<ManufacturedFlow<Dim>>& manufactured_flows();
+
+/// Errors of a discrete flow in the norms its orders are known in: 3, 2 and 2.
+struct FlowErrors {
+  double velocity = 0;    ///< ‖u - u_h‖ in L2
+  double gradient = 0;    ///< ‖grad(u - u_h)‖ in L2
+  double pressure = 0;    ///< ‖p - p_h‖ in L2
+  double divergence = 0;  ///< ‖div u_h‖ in L2
+};
+template <int Dim>
+FlowErrors errors_against(const ManufacturedFlow<Dim>& exact, const DenseSpace<Dim>& space,
+                          const solve::CompensatedVector& state);
+
+}  // namespace talus::flow
