@@ -38,6 +38,11 @@ struct ManufacturedFlow {
 template <int Dim>
 const std::vector<ManufacturedFlow<Dim>>& manufactured_flows();
 
+/// The exact velocity at the nodes and pressure in the middle of the elements: a start for Newton.
+template <int Dim>
+solve::CompensatedVector interpolate(const ManufacturedFlow<Dim>& exact,
+                                     const DenseSpace<Dim>& space);
+
 /// Errors of a discrete flow in the norms its orders are known in: 3, 2 and 2.
 struct FlowErrors {
   double velocity = 0;    ///< ‖u - u_h‖ in L2
