@@ -31,17 +31,18 @@ struct Sheared2 {
   }
 };
 
-// γ_xy = cos 2x + cos 2y changes sign inside: a line of no shear, smoothed by a moderate λr.
+// γ_xy = cos 2x + cos 2y changes sign inside; some stretching keeps |γ| above 0.4 there. Where |γ|
+// vanishes on a line, |γ| γ has a kink across it, and with it the force: no longer smooth.
 struct Turning2 {
   static constexpr const char* name = "turning";
-  static constexpr double lambda_r = 1;
+  static constexpr double lambda_r = 0.5;
   template <class X, class Y>
   static auto u(const X& x, const Y& y) {
-    return 0.5 * sin(2.0 * y) + 0.0 * x;
+    return 0.5 * sin(2.0 * y) + 0.2 * x;
   }
   template <class X, class Y>
   static auto v(const X& x, const Y& y) {
-    return 0.5 * sin(2.0 * x) + 0.0 * y;
+    return 0.5 * sin(2.0 * x) - 0.2 * y;
   }
   template <class X, class Y>
   static auto p(const X& x, const Y& y) {
@@ -73,14 +74,14 @@ struct Sheared3 {
 
 struct Turning3 {
   static constexpr const char* name = "turning";
-  static constexpr double lambda_r = 1;
+  static constexpr double lambda_r = 0.5;
   template <class X, class Y, class Z>
   static auto u(const X& x, const Y& y, const Z& z) {
-    return 0.5 * sin(2.0 * y) + 0.2 * cos(z) + 0.0 * x;
+    return 0.5 * sin(2.0 * y) + 0.2 * cos(z) + 0.2 * x;
   }
   template <class X, class Y, class Z>
   static auto v(const X& x, const Y& y, const Z& z) {
-    return 0.5 * sin(2.0 * x) + 0.0 * y * z;
+    return 0.5 * sin(2.0 * x) - 0.2 * y + 0.0 * z;
   }
   template <class X, class Y, class Z>
   static auto w(const X& x, const Y& y, const Z& z) {

@@ -34,7 +34,7 @@ struct ManufacturedFlow {
                       const rheology::Rheology& rheology) const;
 };
 
-/// The registry: |γ| bounded away from zero, and with a line of no shear.
+/// The registry: one with |γ| far from zero and a tiny λr, one with little shear inside.
 template <int Dim>
 const std::vector<ManufacturedFlow<Dim>>& manufactured_flows();
 
