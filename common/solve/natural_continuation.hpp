@@ -1,0 +1,83 @@
+// Natural continuation: the parameter itself is stepped, and Newton solves at each. It ends at the
+// first fold, where no solution lies ahead; the records are those of arclength continuation, so
+// that the two can be compared.
+#pragma once
+
+#include "common/solve/path.hpp"
+
+namespace talus::solve {
+
+/// First guess of a step: the last state; moved as the last step was; or along dx/ds, for one
+/// factorisation more.
+enum class Predictor { constant, secant, tangent };
+
+/// Follows the path from `start` in its direction, Δs = S Δσ. A step is refused if Newton fails or
+/// moves the state by more than `largest_step`: a jump to another branch. The problem is left at
+/// the last accepted point, `Path::next`. A determinant's sign is that of Newton's last
+/// factorisation, or of the predictor's.
+template <PathProblem P>
+Path<typename P::State> follow_natural(P& problem, PathStart<typename P::State> start,
+                                       Predictor predictor, const PathOptions& options = {},
+                                       const PathObserver<typename P::State>& observe = {}) {
+  using State = typename P::State;
+  Path<State> path{.next = std::move(start)};
+  auto& [state, parameter, direction, step, unused, secant] = path.next;
+  step = std::min(step, options.largest_step);
+
+  // The state changes by `derivative` a unit of the parameter; false if J is singular.
+  std::optional<State> derivative = secant;
+  const auto predict = [&] {
+    if (predictor == Predictor::constant) derivative.reset();
+    if (predictor != Predictor::tangent) return true;
+    ++path.pending.factorisations;
+    return problem.linear_solve(-problem.parameter_derivative(), derivative.emplace());
+  };
+  const auto accepted = [&](double travelled, const NewtonSummary& newton) {
+    return accept<State>(path,
+                         {.parameter = parameter,
+                          .parameter_slope = direction * options.parameter_scale,
+                          .step = travelled,
+                          .corrections = newton.iterations(),
+                          .determinant_sign = problem.determinant_sign(),
+                          .residual = newton.final_residual()},
+                         options, observe);
+  };
+
+  const NewtonSummary at_start = solve_at(problem, parameter, state, options, path);
+  if (!is_success(at_start.end) || !predict()) return path;
+  std::optional<PathEnd> end = accepted(0, at_start);
+
+  while (!end) {
+    double ds = direction * options.parameter_scale * step;
+    const bool lands = options.target && (parameter - *options.target) * direction < 0 &&
+                       (parameter + ds - *options.target) * direction >= 0;
+    if (lands) ds = *options.target - parameter;
+    State trial = derivative ? state.moved(ds, *derivative) : state;
+    const double next = lands ? *options.target : parameter + ds;
+    const NewtonSummary newton = solve_at(problem, next, trial, options, path);
+    const State moved = trial.moved(-1, state);
+    const Eigen::VectorXd weights = problem.weights(state);
+    if (!is_success(newton.end) ||
+        !(weighted_size(weights.cwiseAbs2(), moved.value()) <= options.largest_step)) {
+      ++path.pending.failures;
+      step /= 2;
+      if (step < options.smallest_step) end = PathEnd::step_too_small;
+      continue;
+    }
+    secant = moved.moved(1 / ds - 1, moved);
+    derivative = secant;
+    state = std::move(trial);
+    parameter = next;
+    const double travelled = std::abs(ds) / options.parameter_scale;
+    step = next_step(step, newton.iterations(), options);
+    if (!predict()) end = PathEnd::step_too_small;
+    const std::optional<PathEnd> reached = accepted(travelled, newton);
+    if (reached) end = reached;
+  }
+  path.end = *end;
+  problem.set_parameter(parameter);
+  problem.evaluate(state);
+  return path;
+}
+
+}  // namespace talus::solve
