@@ -40,6 +40,25 @@ std::vector<double> graded_line(double start, double end, int elements, double e
   return boundaries;
 }
 
+std::vector<double> geometric_line(double start, double end, int elements, double first) {
+  assert(elements >= 1 && 0 < first && first < end - start);
+  const auto length = [&](double ratio) {
+    double sum = 0;
+    for (int i = 0; i < elements; ++i) sum = sum * ratio + first;
+    return sum;
+  };
+  double low = 1e-3, high = 10;
+  for (int halvings = 0; halvings < 60; ++halvings) {
+    const double ratio = 0.5 * (low + high);
+    (length(ratio) < end - start ? low : high) = ratio;
+  }
+  std::vector<double> boundaries = {start};
+  for (double width = first; boundaries.size() <= static_cast<std::size_t>(elements); width *= low)
+    boundaries.push_back(boundaries.back() + width);
+  boundaries.back() = end;
+  return boundaries;
+}
+
 std::vector<double> aligned_line(double length, int elements, double point, double fraction,
                                  double exponent) {
   assert(can_align(length, elements, point, fraction));

@@ -1,4 +1,5 @@
-// Element boundaries along a line: uniform, graded, or with a given point at a given place.
+// Element boundaries along a line: uniform, graded, geometric, or with a given point at a given
+// place.
 #pragma once
 
 #include <vector>
@@ -8,6 +9,10 @@ namespace talus::fem {
 /// Boundaries of n elements on [start, end]: start + (end - start)(1 - (1 - i/n)^exponent), i =
 /// 0..n. Exponent 1 is uniform; a larger one refines towards `end`. n >= 1, exponent >= 1.
 std::vector<double> graded_line(double start, double end, int elements, double exponent);
+
+/// Boundaries of n elements on [start, end] that widen (or narrow) by a constant ratio from an
+/// element of width `first` at the start; the ratio is between 0.001 and 10.
+std::vector<double> geometric_line(double start, double end, int elements, double first);
 
 /// Boundaries of n elements on [0, length] such that `point` lies at the fraction (in [0, 1)) of
 /// its element, 0 being a node. Elements are uniform up to the end of that element and, with the
