@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/program/grid.hpp"
 #include "common/program/summary.hpp"
 
 namespace talus::twod {
@@ -29,24 +30,15 @@ io::Table surface_table(const SectionSolution& solution, const flow::CrossSectio
 }
 
 io::QuadraticGrid grid(const SectionSolution& solution, const flow::CrossSection<2>& space) {
-  // VTK's order of our tensor-product nodes: corners, edges, centre.
-  constexpr std::array<std::size_t, 9> vtk_order = {0, 2, 8, 6, 1, 5, 7, 3, 4};
-  io::QuadraticGrid grid;
   const auto& mesh = space.mesh();
-  io::Field velocity{"velocity", {}};
-  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
-    grid.points.push_back({0, mesh.nodes[i][0], mesh.nodes[i][1]});
-    velocity.values.push_back(solution.velocity.value()[static_cast<Eigen::Index>(i)]);
-  }
-  grid.point_fields = {velocity};
+  io::QuadraticGrid grid = program::grid_of<2>(mesh, {1, 2});
+  const Eigen::VectorXd velocity = solution.velocity.value();
+  grid.point_fields = {{"velocity", {velocity.begin(), velocity.end()}}};
   io::Field rate{"shear_rate", {}}, inertial{"inertial_number", {}}, pressure{"pressure", {}},
       stress{"stress", {}}, yield{"stress_over_yield_stress", {}};
   const auto load = load_of(solution.section);
   const std::size_t per_element = space.points_per_element();
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    auto& cell = grid.cells.emplace_back();
-    for (std::size_t a = 0; a < cell.size(); ++a)
-      cell[a] = static_cast<long>(mesh.elements[e][vtk_order[a]]);
     double rate_sum = 0, pressure_sum = 0, stress_sum = 0;
     for (std::size_t k = e * per_element; k < (e + 1) * per_element; ++k) {
       rate_sum += solution.shear_rate[k];
