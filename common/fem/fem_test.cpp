@@ -108,6 +108,18 @@ BOOST_AUTO_TEST_CASE(graded_lines_follow_their_formula_and_end_where_they_should
              boost::test_tools::per_element());
 }
 
+BOOST_AUTO_TEST_CASE(geometric_lines_start_with_the_given_width_and_keep_one_ratio) {
+  for (const double first : {0.001, 0.02, 0.35, 1.}) {  // the last narrows
+    const auto line = geometric_line(0, 7, 20, first);
+    check_boundaries(line, 7, 20);
+    BOOST_TEST(line[1] == first, tolerance(1e-12));
+    const double ratio = (line[2] - line[1]) / first;
+    for (std::size_t i = 1; i + 1 < line.size(); ++i)
+      BOOST_TEST(line[i + 1] - line[i] == ratio * (line[i] - line[i - 1]), tolerance(1e-9));
+  }
+  BOOST_TEST(geometric_line(2, 9, 3, 1)[2] == 5, tolerance(1e-12));  // 1 + 2 + 4
+}
+
 BOOST_AUTO_TEST_CASE(aligned_lines_put_the_point_at_its_fraction_of_an_element) {
   constexpr double length = 14, point = 10.724;
   for (const int elements : {5, 17, 20, 40, 333})
