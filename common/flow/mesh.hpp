@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,7 +21,8 @@ struct Face {
   int side = 0;
 };
 
-/// A mesh of quadratic elements; lengths in L. `fixed` marks the nodes without slip of a
+/// A mesh of quadratic elements, node i + 3j + 9k of an element at its reference coordinates
+/// (i - 1, j - 1, k - 1); lengths in L. `fixed` marks the nodes without slip of a
 /// cross-section; velocity-pressure flow takes its conditions by the name of the boundary.
 template <int Dim>
 struct Mesh {
@@ -42,13 +44,24 @@ std::array<std::size_t, fem::quadratic_nodes(Dim - 1)> face_nodes(int side) {
   return nodes;
 }
 
-/// The line with these element boundaries, a node in the middle of each element.
+/// The box of these element boundaries along each axis, a node in the middle of each element; nodes
+/// and elements are numbered along the first axis first, none is fixed. Boundaries: "left", "right"
+/// (ends of the first axis), "bottom", "top" (of the second), "back", "front" (of the third).
+template <int Dim>
+Mesh<Dim> tensor_mesh(const std::array<std::span<const double>, Dim>& boundaries);
+
 Mesh<1> line_mesh(std::span<const double> boundaries, bool fixed_at_start, bool fixed_at_end);
 
-/// The rectangle of these element boundaries in both directions; node i + 3j of an element lies at
-/// the i-th place along the first and the j-th along the second. `is_fixed` decides by position.
-/// Boundaries: "left", "right" (ends of the first), "bottom", "top" (of the second).
+/// `is_fixed` decides by position.
 Mesh<2> rectangle_mesh(std::span<const double> first, std::span<const double> second,
                        const std::function<bool(const Eigen::Vector2d&)>& is_fixed);
+
+Mesh<3> box_mesh(std::span<const double> first, std::span<const double> second,
+                 std::span<const double> third);
+
+/// A sector of an annulus from the angle `start` to `end` (> start), its nodes on true circles.
+/// Boundaries: "inner", "outer", "start", "end".
+Mesh<2> annulus_mesh(double inner_radius, double outer_radius, int around, int layers,
+                     double start = 0, double end = 0.5 * std::numbers::pi);
 
 }  // namespace talus::flow
