@@ -121,14 +121,14 @@ std::vector<std::size_t> vertices_around(std::size_t node) {
 
 template <int Dim>
 double measure(const Mesh<Dim>& mesh) {
-  double sum = 0;
+  long double sum = 0;  // many equal elements: roundings of a double would add up, not cancel
   visit_points(mesh, [&](double determinant, double weight) { sum += weight * determinant; });
-  return sum;
+  return static_cast<double>(sum);
 }
 
 template <int Dim>
 double measure(const Mesh<Dim>& mesh, const std::vector<Face>& faces) {
-  double sum = 0;
+  long double sum = 0;
   Eigen::Matrix<double, Dim, fem::quadratic_nodes(Dim - 1)> nodes;
   for (const Face& face : faces) {
     Eigen::Index column = 0;
@@ -137,7 +137,7 @@ double measure(const Mesh<Dim>& mesh, const std::vector<Face>& faces) {
     visit_points<Dim - 1, Dim>(nodes,
                                [&](double stretch, double weight) { sum += weight * stretch; });
   }
-  return sum;
+  return static_cast<double>(sum);
 }
 
 template <int Dim>
