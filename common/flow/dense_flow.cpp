@@ -154,12 +154,20 @@ void DenseFlow<Dim>::assemble(const Regularisation& regularisation,
 }
 
 template <int Dim>
+Pack DenseFlow<Dim>::tangent_penalty(std::size_t batch) const {
+  if (penalty_.kind == Penalty::plain) return penalty_.lambda_p;
+  Pack viscosity = 0;
+  for (const PointState<Dim>& at : states_[batch]) viscosity += at.viscosity;
+  return penalty_.lambda_p * Space::points_per_element / viscosity;
+}
+
+template <int Dim>
 bool DenseFlow<Dim>::linear_solve(const Eigen::VectorXd& right_hand_side, State& x) {
   if (!is_factored_) {
     auto tangent = std::make_unique<BatchTangent<Dim>>();
     system_.set_zero();
     for (std::size_t b = 0; b < states_.size(); ++b) {
-      batch_tangent<Dim>(space_, space_.batches()[b], states_[b], penalty_.lambda_p, inertia_,
+      batch_tangent<Dim>(space_, space_.batches()[b], states_[b], tangent_penalty(b), inertia_,
                          factors_, *tangent);
       add_open_sides(b, *tangent);
       system_.add(b, *tangent);

@@ -26,9 +26,12 @@ struct DenseLoad {
   double inertia = 1;  ///< factor of the advective term; 0 leaves it out
 };
 
+/// λp of a plain penalty is that of eq. (8), a compliance. An iterated one only conditions the
+/// linear solves; its λp is divided by the viscosity of each element, so that one value serves a
+/// plug and a thin shear layer alike.
 struct PenaltyOptions {
   Penalty kind = Penalty::iterated;
-  double lambda_p = 1e-6;
+  double lambda_p = 1e-4;
 };
 
 template <int Dim>
@@ -84,6 +87,7 @@ class DenseFlow {
                       solve::Residual& residual) const;
   void add_open_sides(std::size_t batch, BatchTangent<Dim>& tangent) const;
   void add_open_sides(const State& x, Eigen::VectorXd& product) const;
+  Pack tangent_penalty(std::size_t batch) const;
   double residual_penalty() const {
     return penalty_.kind == Penalty::plain ? penalty_.lambda_p : 0;
   }

@@ -16,7 +16,7 @@ struct ColumnTerms {
 template <int Dim>
 void batch_tangent(const DenseSpace<Dim>& space, const typename DenseSpace<Dim>::Batch& batch,
                    const std::array<PointState<Dim>, DenseSpace<Dim>::points_per_element>& states,
-                   double penalty, double inertia, const TangentFactors& factors,
+                   const Pack& penalty, double inertia, const TangentFactors& factors,
                    BatchTangent<Dim>& tangent) {
   constexpr std::size_t nodes = DenseSpace<Dim>::nodes_per_element;
   constexpr std::size_t points = DenseSpace<Dim>::points_per_element;
@@ -115,10 +115,10 @@ void batch_tangent(const DenseSpace<Dim>& space, const typename DenseSpace<Dim>:
 }
 
 template void batch_tangent(const DenseSpace<2>&, const DenseSpace<2>::Batch&,
-                            const std::array<PointState<2>, 9>&, double, double,
+                            const std::array<PointState<2>, 9>&, const Pack&, double,
                             const TangentFactors&, BatchTangent<2>&);
 template void batch_tangent(const DenseSpace<3>&, const DenseSpace<3>::Batch&,
-                            const std::array<PointState<3>, 27>&, double, double,
+                            const std::array<PointState<3>, 27>&, const Pack&, double,
                             const TangentFactors&, BatchTangent<3>&);
 
 }  // namespace talus::flow

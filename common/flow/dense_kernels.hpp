@@ -169,7 +169,7 @@ struct BatchForce {
 template <int Dim>
 void batch_tangent(const DenseSpace<Dim>& space, const typename DenseSpace<Dim>::Batch& batch,
                    const std::array<PointState<Dim>, DenseSpace<Dim>::points_per_element>& states,
-                   double penalty, double inertia, const TangentFactors& factors,
+                   const Pack& penalty, double inertia, const TangentFactors& factors,
                    BatchTangent<Dim>& tangent);
 
 }  // namespace talus::flow
