@@ -1,6 +1,5 @@
 #include "oned/bagnold.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "common/io/table.hpp"
@@ -9,10 +8,9 @@ namespace talus::oned {
 
 ShearScene scene_of(const Bagnold& bagnold) {
   const double H = bagnold.height, alpha = bagnold.angle;
-  const rheology::FrictionLaw law = bagnold.law;
-  // Eq. (19); zero at rest.
-  const double I_alpha =
-      std::max(0.0, law.I0 * (std::tan(alpha) - law.mu_s) / (law.mu_2() - std::tan(alpha)));
+  const rheology::Rheology limit(bagnold.law, bagnold.regularisation);
+  const rheology::FrictionLaw& law = limit.law;
+  const double I_alpha = limit.limit_inertial_number(std::tan(alpha));  // eq. (19)
   const double rate = I_alpha * std::sqrt(law.solid_fraction * std::cos(alpha)) / law.grain_size;
   ShearScene scene;
   scene.name = "bagnold";
@@ -21,12 +19,12 @@ ShearScene scene_of(const Bagnold& bagnold) {
   scene.velocity = "u";
   scene.length = H;
   scene.wall_at_start = true;
-  scene.law = law;
+  scene.limit = limit;
   scene.body_force = std::sin(alpha);
   scene.pressure = [=](double z) { return (H - z) * std::cos(alpha); };
   scene.stress_ratio = std::tan(alpha);
-  scene.limits = "at rest for angle <= " + io::rounded(std::atan(law.mu_s), 6) +
-                 ", no steady flow for angle >= " + io::rounded(std::atan(law.mu_2()), 6);
+  scene.limits = rest_limit(limit, "angle <= ", std::atan(law.mu_s)) +
+                 "no steady flow for angle >= " + io::rounded(std::atan(law.mu_2()), 6);
   scene.lambda_r = 1e-8;
   scene.exact_shear_rate = [=](double z) { return rate * std::sqrt(H - z); };  // eq. (30)
   scene.exact_velocity = [=](double z) {                                       // eq. (18)
@@ -44,6 +42,11 @@ ShearScene scene_of(const Bagnold& bagnold) {
                   other.angle = angle;
                   return scene_of(other);
                 }};
+  scene.under = [bagnold](const rheology::Regularisation& regularisation) {
+    Bagnold other = bagnold;
+    other.regularisation = regularisation;
+    return scene_of(other);
+  };
   return scene;
 }
 

@@ -12,10 +12,11 @@ struct Bagnold {
   double angle = 0.406;  ///< α, radians
   double height = 14;    ///< H
   rheology::FrictionLaw law = {};
+  rheology::Regularisation regularisation = rheology::ChauchatMedale{};  ///< whose limit is exact
 };
 
-/// The scene with its exact solution, eq. (18)-(19). Rest where tan α <= μs, no steady flow where
-/// tan α >= μ2.
+/// The scene with its exact solution, eq. (18) with I(tan α) of the limiting law, eq. (19) for
+/// eq. (4). Rest where tan α <= μs if the law has a yield stress, no steady flow where tan α >= μ2.
 ShearScene scene_of(const Bagnold& bagnold);
 
 }  // namespace talus::oned

@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   oned::add_options(app, options, "bagnold");
   return io::run_program(app, argc, argv, [&] {
     bagnold.law = friction_law(options.method);
+    bagnold.regularisation = limiting_law(options.method);
     return run(scene_of(bagnold), options, {{"angle", bagnold.angle}, {"height", bagnold.height}});
   });
 }

@@ -12,10 +12,12 @@ struct Chute {
   double pressure = 28;  ///< p
   double width = 28;     ///< b
   rheology::FrictionLaw law = {};
+  rheology::Regularisation regularisation = rheology::ChauchatMedale{};  ///< whose limit is exact
 };
 
-/// The scene with its exact solution, eq. (17). Rest where b/2 <= μs p, no steady flow where
-/// b/2 >= μ2 p; the exact profile is then infinite beyond μ2 p.
+/// The scene with its exact solution: with the limiting law's I(μ), shear rate I(y/p) sqrt(φp)/d*
+/// and its integral, which for eq. (4) is eq. (17). Rest where b/2 <= μs p if the law has a yield
+/// stress, no steady flow where b/2 >= μ2 p.
 ShearScene scene_of(const Chute& chute);
 
 }  // namespace talus::oned

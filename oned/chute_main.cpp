@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
   return io::run_program(app, argc, argv, [&] {
     if (app.count("--align") > 0 && options.align.empty()) options.align = "0";
     chute.law = friction_law(options.method);
+    chute.regularisation = limiting_law(options.method);
     return run(scene_of(chute), options, {{"pressure", chute.pressure}, {"width", chute.width}});
   });
 }

@@ -76,7 +76,7 @@ double velocity_at(const Solution& solution, double x) {
 
 Errors errors(const Solution& solution, const ShearScene& scene) {
   const auto elements = elements_of(solution);
-  return norms(elements, scene.yield_point, [&](std::size_t i, double x) {
+  return norms(elements, scene.kink, [&](std::size_t i, double x) {
     return elements[i].at(x) - scene.exact_velocity(x);
   });
 }

@@ -14,7 +14,7 @@ json parameters_as_json(const ShearScene& scene, const RunParameters& parameters
   all["elements"] = parameters.mesh.elements;
   all["grading"] = parameters.mesh.grading;
   all["align"] = parameters.mesh.align ? json(*parameters.mesh.align) : json(nullptr);
-  all["friction"] = program::as_json(scene.law);
+  all["friction"] = program::as_json(scene.law());
   all.update(program::as_json(parameters.solve));
   return all;
 }
@@ -67,8 +67,8 @@ io::Table profile_table(const ShearScene& scene, const Solution& solution) {
     table.rows.push_back({});
     for (const double value :
          {x, velocity, scene.exact_velocity(x), solution.shear_rate[k], exact_rate,
-          scene.law.inertial_number(solution.shear_rate[k], p),
-          scene.law.inertial_number(exact_rate, p), solution.stress[k], scene.exact_stress(x)})
+          scene.law().inertial_number(solution.shear_rate[k], p),
+          scene.law().inertial_number(exact_rate, p), solution.stress[k], scene.exact_stress(x)})
       table.rows.back().push_back(io::exact(value));
   }
   return table;

@@ -18,7 +18,7 @@ struct MeshOptions {
   int elements = 40;
   double grading = 1;  ///< exponent, 1 = uniform
   std::optional<double> align =
-      std::nullopt;  ///< place of the yield point in its element, 0 = node
+      std::nullopt;  ///< place of the scene's kink in its element, 0 = node
 };
 
 /// Orders of convergence in the four norms of Errors, with the allowed distance from each.
@@ -50,13 +50,13 @@ struct ShearScene {
   std::string coordinate, velocity;  ///< symbols for axes: "y" and "w", "z" and "u"
   double length = 0;
   bool wall_at_start = false;  ///< no slip at 0 (else at `length`); the other end carries no stress
-  rheology::FrictionLaw law;
+  rheology::Rheology limit;    ///< the exact profiles are those of its limit λr → 0
   double body_force = 0;
   std::function<double(double)> pressure;
-  double stress_ratio = 0;            ///< largest shear stress over pressure
-  std::string limits;                 ///< of existence, in terms of the scene's load parameter
-  std::optional<double> yield_point;  ///< where a plug ends
-  double lambda_r = 1e-6;             ///< the paper's
+  double stress_ratio = 0;     ///< largest shear stress over pressure
+  std::string limits;          ///< of existence, in terms of the scene's load parameter
+  std::optional<double> kink;  ///< of the shear rate: the end of a plug, or of the law's creep
+  double lambda_r = 1e-6;      ///< the paper's
 
   std::function<double(double)> exact_velocity;  ///< of a flowing or resting scene
   std::function<double(double)> exact_shear_rate;
@@ -64,11 +64,17 @@ struct ShearScene {
 
   std::vector<OrderCase> order_cases;
   LoadSweep load;
+  /// The same scene, exact for what another regularisation tends to.
+  std::function<ShearScene(const rheology::Regularisation&)> under;
 
-  rheology::Regime regime() const { return rheology::regime_under(law, stress_ratio); }
+  const rheology::FrictionLaw& law() const { return limit.law; }
+  rheology::Regime regime() const { return rheology::regime_under(limit, stress_ratio); }
 };
 
-/// Element boundaries of `scene`. Throws io::UserError if the yield point cannot be placed.
+/// "at rest for " and the bound, or that nothing ever is, for the start of ShearScene::limits.
+std::string rest_limit(const rheology::Rheology& limit, const std::string& load, double bound);
+
+/// Element boundaries of `scene`. Throws io::UserError if its kink cannot be placed.
 std::vector<double> boundaries(const ShearScene& scene, const MeshOptions& mesh);
 
 }  // namespace talus::oned

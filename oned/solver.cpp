@@ -11,7 +11,7 @@ flow::CrossSection<1> space_of(const ShearScene& scene, std::span<const double> 
 
 flow::ShearLoad<1> load_of(const ShearScene& scene) {
   using Position = flow::ShearLoad<1>::Position;
-  return {scene.law, [&scene](const Position& x) { return scene.pressure(x[0]); },
+  return {scene.law(), [&scene](const Position& x) { return scene.pressure(x[0]); },
           [&scene](const Position&) { return scene.body_force; }};
 }
 

@@ -28,6 +28,26 @@ std::vector<NamedMethod> newton_methods(double lambda_r) {
   return methods;
 }
 
+std::vector<NamedMethod> yield_stress_methods(double lambda_r) {
+  std::vector<NamedMethod> methods = newton_methods(lambda_r);
+  std::erase_if(methods, [](const NamedMethod& method) { return !has_yield_stress(method); });
+  return methods;
+}
+
+bool has_yield_stress(const NamedMethod& method) {
+  return method.options.method == oned::Method::interior_point ||
+         rheology::has_yield_stress(method.options.regularisation);
+}
+
+oned::ShearScene scene_for(const oned::ShearScene& scene, const NamedMethod& method) {
+  return has_yield_stress(method) ? scene : scene.under(method.options.regularisation);
+}
+
+NamedMethod reference_for(const NamedMethod& method) {
+  return has_yield_stress(method) ? reference_method()
+                                  : newton_method(method.options.regularisation, 1e-14);
+}
+
 std::vector<int> doubled_elements(int largest) {
   std::vector<int> elements;
   for (int n = 5; n <= largest; n *= 2) elements.push_back(n);

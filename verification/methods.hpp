@@ -23,6 +23,16 @@ NamedMethod reference_method();
 NamedMethod newton_method(const rheology::Regularisation& regularisation, double lambda_r);
 /// Newton with every regularisation of the registry.
 std::vector<NamedMethod> newton_methods(double lambda_r);
+/// Those that tend to eq. (4): what the paper compares.
+std::vector<NamedMethod> yield_stress_methods(double lambda_r);
+
+/// Whether a method's answers tend to those of eq. (4), which the interior point solves.
+bool has_yield_stress(const NamedMethod& method);
+/// The scene with the exact profiles of the law that a method tends to.
+oned::ShearScene scene_for(const oned::ShearScene& scene, const NamedMethod& method);
+/// What a method's answers are measured against on the same mesh: the interior point, or for a law
+/// without yield stress, for which there is none, Newton at λr = 1e-14.
+NamedMethod reference_for(const NamedMethod& method);
 
 /// 5, 10, 20, ... up to `largest`.
 std::vector<int> doubled_elements(int largest);

@@ -14,7 +14,7 @@ void chute_profiles(Chapter& chapter, io::Table& findings, const oned::ShearScen
   for (const auto& [name, elements] : {std::pair{"fig2", 40}, {"fig4", 160}}) {
     std::vector<oned::Solution> solutions;
     std::vector<std::pair<std::string, const oned::Solution*>> labelled;
-    const auto methods = newton_methods(1e-4);
+    const auto methods = yield_stress_methods(1e-4);
     solutions.reserve(methods.size());
     double flow_error = 0, plug_rate = 0;
     for (const NamedMethod& method : methods) {
@@ -25,8 +25,8 @@ void chute_profiles(Chapter& chapter, io::Table& findings, const oned::ShearScen
       for (std::size_t k = 0; k < solutions.back().shear_rate.size(); ++k) {
         const double y = solutions.back().space.points()[k].position[0];
         const double rate = solutions.back().shear_rate[k];
-        if (y < *scene.yield_point - h) plug_rate = std::max(plug_rate, rate);
-        if (y > *scene.yield_point + h)
+        if (y < *scene.kink - h) plug_rate = std::max(plug_rate, rate);
+        if (y > *scene.kink + h)
           flow_error = std::max(flow_error, std::abs(rate - scene.exact_shear_rate(y)));
       }
     }
@@ -57,7 +57,7 @@ void chute_profiles(Chapter& chapter, io::Table& findings, const oned::ShearScen
 void figure_3a(Chapter& chapter, io::Table& findings, const oned::ShearScene& scene) {
   io::Panel panel{"Fig. 3a, λr = 1e-4", "h / b",       "paper's RMS error", true, true, {},
                   std::nullopt,         "bottom right"};
-  std::vector<NamedMethod> methods = newton_methods(1e-4);
+  std::vector<NamedMethod> methods = yield_stress_methods(1e-4);
   methods.push_back(reference_method());
   std::vector<std::pair<std::string, double>> finest;
   for (const NamedMethod& method : methods) {
@@ -90,7 +90,7 @@ void figure_3b(Chapter& chapter, io::Table& findings, const oned::ShearScene& sc
   io::Panel panel{
       "Fig. 3b, h = b/160, λr = 1e-4", "Newton iteration", "paper's RMS error", false, true, {}};
   int most = 0;
-  for (NamedMethod method : newton_methods(1e-4)) {
+  for (NamedMethod method : yield_stress_methods(1e-4)) {
     io::Curve curve{method.label, {}, {}};
     const auto line = oned::boundaries(scene, {.elements = 80});
     oned::Solution iterate{{}, oned::space_of(scene, line)};

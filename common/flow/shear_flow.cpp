@@ -29,13 +29,13 @@ void ShearFlow<Dim>::set_lambda_r(double lambda_r) {
 
 template <int Dim>
 const solve::Residual& ShearFlow<Dim>::evaluate(const State& w) {
-  std::visit([&](auto kind) { evaluate_with<decltype(kind)>(w); }, rheology_.regularisation);
+  std::visit([&](const auto& kind) { evaluate_with(kind, w); }, rheology_.regularisation);
   return residual_;
 }
 
 template <int Dim>
 template <class Regularisation>
-void ShearFlow<Dim>::evaluate_with(const State& w) {
+void ShearFlow<Dim>::evaluate_with(const Regularisation& regularisation, const State& w) {
   using Values = typename Space::NodalValues;
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   constexpr long double extended_epsilon = std::numeric_limits<long double>::epsilon();
@@ -59,8 +59,8 @@ void ShearFlow<Dim>::evaluate_with(const State& w) {
       const auto& point = space_.points()[k];
       const Vector g = point.gradient(relative);
       const double shear_rate = g.norm();
-      const rheology::Viscosity v = Regularisation::evaluate(rheology_.law, rheology_.lambda_r,
-                                                             shear_rate, regularised_pressure_[k]);
+      const rheology::Viscosity v = regularisation.evaluate(rheology_.law, rheology_.lambda_r,
+                                                            shear_rate, regularised_pressure_[k]);
       const Vector stress = v.eta * g;
       tangents_[k] = v.eta * Space::Tangent::Identity();
       if (shear_rate > 0)

@@ -45,7 +45,7 @@ class ShearFlow {
 
  private:
   template <class Regularisation>
-  void evaluate_with(const State& w);
+  void evaluate_with(const Regularisation& regularisation, const State& w);
 
   Space& space_;
   rheology::Rheology rheology_;

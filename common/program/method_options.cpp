@@ -20,7 +20,8 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
   io::add_choice(app, "--method", options.method,
                  "Newton on the regularised law, or interior point without regularisation",
                  {"newton", "interior-point"});
-  io::add_choice(app, "--regularisation", options.regularisation, "Viscosity, eq. (9)-(12)",
+  io::add_choice(app, "--regularisation", options.regularisation,
+                 "Viscosity, eq. (9)-(12), or a control law without yield stress",
                  names_of_regularisations());
   io::add_real(app, "--lambda-r", options.lambda_r, "Regularisation parameter, in sqrt(g/d)", 1e-15,
                1);
@@ -62,6 +63,12 @@ flow::ShearOptions shear_options(const MethodOptions& options, flow::ShearOption
     result.newton.max_iterations = result.interior_point.max_factorisations =
         options.max_iterations;
   return result;
+}
+
+rheology::Regularisation limiting_law(const MethodOptions& options) {
+  const flow::ShearOptions resolved = shear_options(options);
+  return resolved.method == flow::Method::newton ? resolved.regularisation
+                                                 : rheology::ChauchatMedale{};
 }
 
 rheology::FrictionLaw friction_law(const MethodOptions& options) {

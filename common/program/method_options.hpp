@@ -25,6 +25,10 @@ void add_method_options(CLI::App& app, MethodOptions& options);
 /// `defaults` for what the command line does not say.
 flow::ShearOptions shear_options(const MethodOptions& options, flow::ShearOptions defaults = {});
 
+/// The regularisation whose limiting law the results are to be compared with: eq. (4) for the
+/// interior point.
+rheology::Regularisation limiting_law(const MethodOptions& options);
+
 /// The friction law of --friction. Throws io::UserError.
 rheology::FrictionLaw friction_law(const MethodOptions& options);
 

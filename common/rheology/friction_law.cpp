@@ -18,6 +18,20 @@ double FrictionLaw::friction(double inertial_number) const {
   return mu_s + delta_mu * inertial_number / (I0 + inertial_number);
 }
 
+double FrictionLaw::inertial_number_at(double friction) const {
+  const double excess = friction - mu_s, margin = mu_2() - friction;
+  if (excess <= 0) return 0;
+  return margin > 0 ? I0 * excess / margin : std::numeric_limits<double>::infinity();
+}
+
+double FrictionLaw::inertial_number_integral(double friction) const {
+  const double excess = friction - mu_s;
+  if (excess <= 0) return 0;
+  if (excess >= delta_mu) return std::numeric_limits<double>::infinity();
+  // -ln(1 - x) - x from GSL: the difference cancels just above yield when written out.
+  return -I0 * delta_mu * gsl_sf_log_1plusx_mx(-excess / delta_mu);
+}
+
 double FrictionLaw::friction_derivative(double inertial_number) const {
   return delta_mu * I0 / ((I0 + inertial_number) * (I0 + inertial_number));
 }
@@ -60,7 +74,11 @@ double FrictionLaw::complementary_dissipation(double stress, double pressure) co
 double FrictionLaw::well_posedness(double inertial_number) const {
   const double mu = friction(inertial_number);
   const double n = inertial_number * friction_derivative(inertial_number) / mu;
-  return 4 * n * n - 4 * n + mu * mu * (1 - n / 2) * (1 - n / 2);
+  return well_posedness_indicator(mu, n);
+}
+
+double FrictionLaw::best_posed() const {
+  return I0 * std::sqrt(mu_s / mu_2());
 }
 
 std::optional<std::pair<double, double>> FrictionLaw::well_posed_band() const {
@@ -69,8 +87,7 @@ std::optional<std::pair<double, double>> FrictionLaw::well_posed_band() const {
         return static_cast<const FrictionLaw*>(law)->well_posedness(std::exp(log_I));
       },
       const_cast<FrictionLaw*>(this)};
-  // n is largest at I = I0 sqrt(μs/μ2), where C is smallest but for the slow growth of μ.
-  const double middle = std::log(I0 * std::sqrt(mu_s / mu_2()));
+  const double middle = std::log(best_posed());
   if (well_posedness(std::exp(middle)) >= 0) return std::nullopt;
   const auto root = [&](double lower, double upper) {
     gsl_root_fsolver* solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);

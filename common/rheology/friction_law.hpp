@@ -23,6 +23,10 @@ struct FrictionLaw {
   double inertial_number(double shear_rate, double pressure) const;
   /// μ(I), eq. (4).
   double friction(double inertial_number) const;
+  /// I(μ), the inverse of eq. (4): 0 up to μs, infinite from μ2 on.
+  double inertial_number_at(double friction) const;
+  /// ∫₀^μ I dμ: with it, velocity profiles under a constant pressure are closed formulas.
+  double inertial_number_integral(double friction) const;
   /// dμ/dI.
   double friction_derivative(double inertial_number) const;
 
@@ -45,6 +49,15 @@ struct FrictionLaw {
   double well_posedness(double inertial_number) const;
   /// The interval of I on which C <= 0; nothing where there is none.
   std::optional<std::pair<double, double>> well_posed_band() const;
+  /// I0 sqrt(μs/μ2): where n is largest, and C smallest but for the slow growth of μ.
+  double best_posed() const;
+
+  bool operator==(const FrictionLaw&) const = default;
 };
+
+/// C of any law from its friction and n = I μ'(I)/μ.
+inline double well_posedness_indicator(double friction, double n) {
+  return 4 * n * n - 4 * n + friction * friction * (1 - n / 2) * (1 - n / 2);
+}
 
 }  // namespace talus::rheology

@@ -53,6 +53,23 @@ BOOST_AUTO_TEST_CASE(friction_derivative_is_the_derivative) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_inverse_law_inverts_friction_and_its_integral_is_the_integral) {
+  const FrictionLaw law;
+  for (const double I : {1e-4, 1e-2, 0.279, 10.}) {
+    const double mu = law.friction(I);
+    BOOST_TEST(law.inertial_number_at(mu) == I, tolerance(1e-11));
+    const auto integral = [&](double x) { return law.inertial_number_integral(x); };
+    const double room = std::min(mu - law.mu_s, law.mu_2() - mu);
+    BOOST_TEST(testing::difference(integral, mu, room) == I, tolerance(1e-8));
+  }
+  for (const double mu : {0., 0.3, law.mu_s}) {
+    BOOST_TEST(law.inertial_number_at(mu) == 0);
+    BOOST_TEST(law.inertial_number_integral(mu) == 0);
+  }
+  BOOST_TEST(std::isinf(law.inertial_number_at(law.mu_2())));
+  BOOST_TEST(std::isinf(law.inertial_number_integral(law.mu_2())));
+}
+
 BOOST_AUTO_TEST_CASE(grain_size_enters_the_inertial_number_linearly) {
   FrictionLaw law;
   const double I = law.inertial_number(2, 3);

@@ -1,5 +1,6 @@
 #include "common/rheology/regularisation.hpp"
 
+#include <concepts>
 #include <utility>
 
 namespace talus::rheology {
@@ -24,12 +25,27 @@ std::optional<Regularisation> regularisation_named(std::string_view name) {
   return std::nullopt;
 }
 
+Regularisation for_law(const Regularisation& regularisation, const FrictionLaw& law) {
+  return std::visit(
+      [&]<class Kind>(const Kind& kind) -> Regularisation {
+        if constexpr (std::constructible_from<Kind, const FrictionLaw&>)
+          return Kind(law);
+        else
+          return kind;
+      },
+      regularisation);
+}
+
+bool has_yield_stress(const Regularisation& regularisation) {
+  return std::visit([](const auto& kind) { return kind.has_yield_stress; }, regularisation);
+}
+
 std::string name_of(const Regularisation& regularisation) {
-  return std::visit([](auto kind) { return std::string(kind.name); }, regularisation);
+  return std::visit([](const auto& kind) { return std::string(kind.name); }, regularisation);
 }
 
 std::string equation_of(const Regularisation& regularisation) {
-  return std::visit([](auto kind) { return std::string(kind.equation); }, regularisation);
+  return std::visit([](const auto& kind) { return std::string(kind.equation); }, regularisation);
 }
 
 std::string regularisation_names() {

@@ -1,4 +1,5 @@
-// The regularised granular viscosities, eq. (9)-(12): η(|γ|, p) with both derivatives.
+// The regularised granular viscosities, eq. (9)-(12) and a control law: η(|γ|, p) with both
+// derivatives, and the friction law that each tends to as λr → 0.
 //
 // Adding a regularisation is one struct and one name in `Regularisation`: the programs, the
 // Jacobian checks, the studies and the charts then know it.
@@ -11,15 +12,25 @@
 #include <variant>
 #include <vector>
 
+#include "common/rheology/barker_gray.hpp"
 #include "common/rheology/friction_law.hpp"
+#include "common/rheology/viscosity.hpp"
 
 namespace talus::rheology {
 
-/// Viscosity η and its first derivatives at one point (stress over shear rate).
-struct Viscosity {
-  double eta = 0;
-  double d_eta_d_shear_rate = 0;
-  double d_eta_d_pressure = 0;
+/// What eq. (9)-(12) tend to as λr → 0: eq. (4), whose yield stress μs p they round off.
+struct YieldStressLimit {
+  static constexpr bool has_yield_stress = true;
+  static double friction(const FrictionLaw& law, double I) { return law.friction(I); }
+  static double inertial_number(const FrictionLaw& law, double friction) {
+    return law.inertial_number_at(friction);
+  }
+  static double inertial_number_integral(const FrictionLaw& law, double friction) {
+    return law.inertial_number_integral(friction);
+  }
+  /// Friction at which the slope of I(μ) jumps.
+  static double kink(const FrictionLaw& law) { return law.mu_s; }
+  static double well_posedness(const FrictionLaw& law, double I) { return law.well_posedness(I); }
 };
 
 // Second term of eq. (9)-(11): Δμ p / (c + |γ| + λr), c = I0 sqrt(φp)/d*.
@@ -33,7 +44,7 @@ inline Viscosity simple_viscous_part(const FrictionLaw& law, double lambda_r, do
 }
 
 /// Eq. (9), after Frigaard & Nouar (2005).
-struct Simple {
+struct Simple : YieldStressLimit {
   static constexpr std::string_view name = "simple";
   static constexpr std::string_view equation = "(9)";
   static Viscosity evaluate(const FrictionLaw& law, double lambda_r, double shear_rate,
@@ -49,7 +60,7 @@ struct Simple {
 };
 
 /// Eq. (10), after Bercovier & Engelman (1980).
-struct BercovierEngelman {
+struct BercovierEngelman : YieldStressLimit {
   static constexpr std::string_view name = "bercovier-engelman";
   static constexpr std::string_view equation = "(10)";
   static Viscosity evaluate(const FrictionLaw& law, double lambda_r, double shear_rate,
@@ -65,7 +76,7 @@ struct BercovierEngelman {
 };
 
 /// Eq. (11), after Papanastasiou (1987). Defined at |γ| = 0: (1 - e^{-x})/x → 1.
-struct Papanastasiou {
+struct Papanastasiou : YieldStressLimit {
   static constexpr std::string_view name = "papanastasiou";
   static constexpr std::string_view equation = "(11)";
   static Viscosity evaluate(const FrictionLaw& law, double lambda_r, double shear_rate,
@@ -90,7 +101,7 @@ struct Papanastasiou {
 };
 
 /// Eq. (12), the paper's own; its derivatives are eq. (15).
-struct ChauchatMedale {
+struct ChauchatMedale : YieldStressLimit {
   static constexpr std::string_view name = "chauchat-medale";
   static constexpr std::string_view equation = "(12)";
   static Viscosity evaluate(const FrictionLaw& law, double lambda_r, double shear_rate,
@@ -108,15 +119,22 @@ struct ChauchatMedale {
   }
 };
 
-/// The registry: every alternative offers name, equation and evaluate.
-using Regularisation = std::variant<Simple, BercovierEngelman, Papanastasiou, ChauchatMedale>;
+/// The registry: every alternative offers name, equation, evaluate and the members of
+/// YieldStressLimit. One that depends on the friction law is made from it, once (`for_law`).
+using Regularisation =
+    std::variant<Simple, BercovierEngelman, Papanastasiou, ChauchatMedale, BarkerGray>;
 
-/// All regularisations, in the order of the paper.
+/// The regularisation made ready for a friction law; `Rheology` does it.
+Regularisation for_law(const Regularisation& regularisation, const FrictionLaw& law);
+/// Whether it rounds off a yield stress, below which nothing moves as λr → 0.
+bool has_yield_stress(const Regularisation& regularisation);
+
+/// All regularisations, those of the paper first and in its order.
 const std::vector<Regularisation>& regularisations();
 /// The regularisation of that name, if there is one.
 std::optional<Regularisation> regularisation_named(std::string_view name);
 std::string name_of(const Regularisation& regularisation);
-/// The equation that defines it, in parentheses.
+/// The equation that defines it, or its source, in parentheses.
 std::string equation_of(const Regularisation& regularisation);
 /// Names joined with ", ", for messages.
 std::string regularisation_names();

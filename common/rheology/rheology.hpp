@@ -7,23 +7,63 @@
 
 namespace talus::rheology {
 
+/// Make a new one for another friction law: the regularisation is made ready for it once, here.
 struct Rheology {
   FrictionLaw law;
-  Regularisation regularisation = ChauchatMedale{};
-  double lambda_r =
-      1e-6;  ///< regularisation parameter, a shear rate in (9)-(12), a pressure in (16)
+  Regularisation regularisation;
+  double lambda_r;  ///< regularisation parameter, a shear rate in (9)-(12), a pressure in (16)
+
+  Rheology(const FrictionLaw& friction_law = {},
+           const Regularisation& of_viscosity = ChauchatMedale{}, double parameter = 1e-6)
+      : law(friction_law),
+        regularisation(for_law(of_viscosity, friction_law)),
+        lambda_r(parameter) {}
 
   /// η(|γ|, p_regu(p_tot)) of eq. (9)-(12) with eq. (16), derivatives with respect to |γ| and
   /// p_tot.
   Viscosity evaluate(double shear_rate, double total_pressure) const {
     const RegularisedPressure p = regularise_pressure(total_pressure, lambda_r);
-    Viscosity v =
-        std::visit([&](auto kind) { return kind.evaluate(law, lambda_r, shear_rate, p.value); },
-                   regularisation);
+    Viscosity v = std::visit(
+        [&](const auto& kind) { return kind.evaluate(law, lambda_r, shear_rate, p.value); },
+        regularisation);
     v.d_eta_d_pressure *= p.derivative;
     return v;
   }
+
+  // The friction law that the regularised one tends to as λr → 0: eq. (4) unless it says otherwise.
+
+  /// μ(I).
+  double limit_friction(double inertial_number) const {
+    return std::visit([&](const auto& kind) { return kind.friction(law, inertial_number); },
+                      regularisation);
+  }
+  /// I(μ): 0 below a yield stress, infinite from μ2 on.
+  double limit_inertial_number(double friction) const {
+    return std::visit([&](const auto& kind) { return kind.inertial_number(law, friction); },
+                      regularisation);
+  }
+  /// ∫₀^μ I dμ.
+  double limit_inertial_number_integral(double friction) const {
+    return std::visit(
+        [&](const auto& kind) { return kind.inertial_number_integral(law, friction); },
+        regularisation);
+  }
+  /// Friction at which the slope of I(μ) jumps, and with it that of a shear rate.
+  double limit_kink() const {
+    return std::visit([&](const auto& kind) { return kind.kink(law); }, regularisation);
+  }
+  /// C of that law: well-posed where C <= 0 (Barker & Gray 2017).
+  double well_posedness(double inertial_number) const {
+    return std::visit([&](const auto& kind) { return kind.well_posedness(law, inertial_number); },
+                      regularisation);
+  }
 };
+
+/// C of a regularisation's limiting law; a Rheology spares repeated preparation.
+inline double well_posedness(const Regularisation& regularisation, const FrictionLaw& law,
+                             double inertial_number) {
+  return Rheology(law, regularisation).well_posedness(inertial_number);
+}
 
 /// What a driving stress does to the material: the limits of existence of a steady flow.
 enum class Regime { at_rest, flowing, no_steady_state };
@@ -34,6 +74,13 @@ inline Regime regime_under(const FrictionLaw& law, double stress_ratio) {
   if (stress_ratio <= law.mu_s) return Regime::at_rest;
   if (stress_ratio >= law.mu_2()) return Regime::no_steady_state;
   return Regime::flowing;
+}
+
+/// The same, where without a yield stress nothing is ever at rest.
+inline Regime regime_under(const Rheology& rheology, double stress_ratio) {
+  const Regime regime = regime_under(rheology.law, stress_ratio);
+  const bool creeps = stress_ratio > 0 && !has_yield_stress(rheology.regularisation);
+  return regime == Regime::at_rest && creeps ? Regime::flowing : regime;
 }
 
 inline std::string name_of(Regime regime) {
