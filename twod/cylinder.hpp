@@ -1,0 +1,118 @@
+// Granular flow down a channel past a cylinder, in velocity and pressure.
+//
+// Scaled by the confining pressure: lengths in D, stress in p_ext, velocity in sqrt(p_ext/(φρ)).
+// Then p_total = 1 + p, the body force is -F e_z with F = φρgD/p_ext, and the solution depends on
+// the loading F alone. The channel without the cylinder flows from F = μs/half_width on.
+#pragma once
+
+#include <functional>
+
+#include "common/flow/dense_path.hpp"
+#include "common/solve/arclength.hpp"
+#include "twod/cylinder_mesh.hpp"
+
+namespace talus::twod {
+
+struct Cylinder {
+  CylinderMeshOptions mesh;
+  rheology::FrictionLaw law = {.mu_s = 0.4, .delta_mu = 0.25, .I0 = 0.3, .grain_size = 0.1};
+  rheology::Regularisation regularisation = rheology::ChauchatMedale{};
+  double lambda_r = 1e-6;
+  flow::PenaltyOptions penalty;
+  bool inertia = true;
+  bool open_outlet = false;  ///< the paper's open boundary at the bottom, eq. (8)
+};
+
+/// The discrete problem of a scene.
+class CylinderFlow {
+ public:
+  using State = solve::CompensatedVector;
+  explicit CylinderFlow(const Cylinder& scene);
+  CylinderFlow(const CylinderFlow&) = delete;  // flow_ refers to space_
+  CylinderFlow& operator=(const CylinderFlow&) = delete;
+
+  const Cylinder& scene() const { return scene_; }
+  const flow::DenseSpace<2>& space() const { return space_; }
+  flow::DenseFlow<2>& flow() { return flow_; }
+  const flow::DenseFlow<2>& flow() const { return flow_; }
+
+ private:
+  Cylinder scene_;
+  flow::DenseSpace<2> space_;
+  flow::DenseFlow<2> flow_;
+};
+
+/// What is measured of a solution; forces per unit thickness on the whole cylinder and both walls.
+struct CylinderMeasures {
+  double loading = 0, lambda_r = 0;
+  double mean_velocity = 0;       ///< U, flux through the inlet over its width
+  double drag = 0;                ///< F_D/(p_ext D) from the consistent nodal reactions
+  double drag_traction = 0;       ///< the same from the integral of the traction
+  double wall_force = 0;          ///< friction of the side walls
+  double weight = 0;              ///< F times area, both halves
+  double momentum_flux = 0;       ///< ∫ (u·grad) u_z: what the flow carries off
+  double min_pressure = 0;        ///< smallest total pressure at the quadrature points
+  double max_pressure = 0;
+  double largest_velocity = 0;
+  double divergence = 0;          ///< ‖div u‖ in L2 over ‖grad u‖
+  double projected_divergence = 0;  ///< the same projected onto the pressures: what p can control
+  double yielded_share = 0;       ///< area where the stress exceeds μs p_regu
+  double ill_posed_share = 0;     ///< area that flows (yields) where C > 0
+
+  /// (drag + wall - weight + momentum)/weight: 0 in equilibrium, to round-off.
+  double imbalance() const { return (drag + wall_force + momentum_flux - weight) / weight; }
+  /// F_D/(½ φρ U² D).
+  double drag_coefficient() const { return 2 * drag / (mean_velocity * mean_velocity); }
+  /// U/sqrt(gD) with p_ext in φρgD.
+  double froude(double confining_pressure) const {
+    return mean_velocity * std::sqrt(confining_pressure);
+  }
+};
+
+/// Measures a state at the flow's own loading and λr; evaluates the flow there.
+CylinderMeasures measure(CylinderFlow& cylinder, const CylinderFlow::State& state);
+
+/// The rheology at a point of a solution.
+struct CylinderPoint {
+  flow::DenseSpace<2>::Values values;
+  double total_pressure = 0, regularised_pressure = 0, shear_rate = 0, viscosity = 0;
+  double inertial_number = 0;
+  double well_posedness = 0;  ///< C: positive where the equations are ill-posed
+  bool has_yielded = false;
+};
+CylinderPoint point_at(const CylinderFlow& cylinder, const CylinderFlow::State& state,
+                       std::size_t element, const flow::Point<2>& reference);
+
+/// How a path is followed.
+enum class Continuation { arclength, natural };
+
+/// Sees every accepted point of a path, of λr or of the loading; false stops it.
+using CylinderObserver =
+    std::function<bool(const CylinderFlow::State&, const CylinderMeasures&, solve::PathPoint&)>;
+
+/// A path of solutions; `end` tells whether it reached its target.
+using CylinderPath = solve::Path<CylinderFlow::State>;
+
+/// Options with which paths of this scene are followed.
+solve::PathOptions cylinder_path_options();
+
+/// Solves a loading from nothing: Newton from rest at λr = 0.1, then a path in log10 λr down to the
+/// scene's. The flow is left at that loading and the last λr.
+CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading,
+                             Continuation continuation = Continuation::arclength,
+                             const solve::PathOptions& options = cylinder_path_options(),
+                             const CylinderObserver& observe = {});
+
+/// Follows log10 λr from a point of such a path.
+CylinderPath follow_lambda_r(CylinderFlow& cylinder, double loading,
+                             solve::PathStart<CylinderFlow::State> start,
+                             Continuation continuation, solve::PathOptions options,
+                             const CylinderObserver& observe = {});
+
+/// Follows the loading at the scene's λr from `start` (its parameter is the loading) to `target`.
+CylinderPath follow_loading(CylinderFlow& cylinder, solve::PathStart<CylinderFlow::State> start,
+                            double target, Continuation continuation = Continuation::arclength,
+                            solve::PathOptions options = cylinder_path_options(),
+                            const CylinderObserver& observe = {});
+
+}  // namespace talus::twod
