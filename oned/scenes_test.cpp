@@ -180,6 +180,21 @@ BOOST_AUTO_TEST_CASE(without_a_yield_stress_a_scene_creeps_where_it_would_rest) 
   }
 }
 
+BOOST_AUTO_TEST_CASE(
+    the_control_law_has_order_three_against_its_own_profile_and_none_against_eq_4) {
+  const ShearScene chute = scene_of(Chute{}), control = chute.under(rheology::BarkerGray{});
+  SolveOptions options;
+  options.regularisation = rheology::BarkerGray{};
+  options.lambda_r = 1e-12;
+  const Solution coarse = solved(control, {.elements = 136, .align = 0.0}, options);
+  const Solution fine = solved(control, {.elements = 272, .align = 0.0}, options);
+  const auto order = [&](const ShearScene& scene) {
+    return std::log2(errors(coarse, scene).l2 / errors(fine, scene).l2);
+  };
+  BOOST_TEST(std::abs(order(control) - 3) < 0.05);
+  BOOST_TEST(std::abs(order(chute)) < 0.01);
+}
+
 // Both laws are eq. (4) where the plane flows faster than the control law's creep.
 BOOST_AUTO_TEST_CASE(the_plane_is_the_same_under_the_control_law_above_its_creep) {
   const ShearScene plane = scene_of(Bagnold{}), control = plane.under(rheology::BarkerGray{});

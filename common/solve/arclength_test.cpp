@@ -80,6 +80,24 @@ BOOST_AUTO_TEST_CASE(the_fold_of_bratu_s_problem_is_found_to_nine_digits) {
   BOOST_TEST(errors[0] > 30 * errors[2]);  // O(step⁴), less where the fold lies mid-step
 }
 
+BOOST_AUTO_TEST_CASE(the_unit_of_the_parameter_does_not_matter) {
+  SmallProblem problem = cubic(), in_hundredths = cubic();
+  in_hundredths.value = [whole = problem.value](const VectorXd& x, double s) {
+    return whole(x, 100 * s);
+  };
+  in_hundredths.by_parameter = [](const VectorXd&, double) { return constant(1, -100); };
+  PathStart<CompensatedVector> start = cubic_start();
+  start.parameter /= 100;
+  const auto path = follow_arclength(problem, cubic_start(), {.target = 18});
+  const auto same =
+      follow_arclength(in_hundredths, start, {.target = 0.18, .parameter_scale = 0.01});
+  BOOST_REQUIRE(same.points.size() == path.points.size());
+  for (std::size_t i = 0; i < path.points.size(); ++i)
+    BOOST_TEST(std::abs(100 * same.points[i].parameter - path.points[i].parameter) < 1e-8);
+  const auto other = follow_arclength(in_hundredths, start, {.target = 0.18});
+  BOOST_TEST(other.points.size() != path.points.size());
+}
+
 BOOST_AUTO_TEST_CASE(a_path_that_is_resumed_is_the_same_path) {
   SmallProblem problem = cubic();
   const auto whole = follow_arclength(problem, cubic_start(), {.target = 18});
