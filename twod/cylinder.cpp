@@ -14,8 +14,7 @@ flow::BoundaryConditions<2> boundary_conditions(const Cylinder& scene) {
       {"cylinder", flow::no_slip<2>()},
       {"wall", flow::no_slip<2>()},
       {"top", flow::fully_developed<2>(1)},
-      {"bottom",
-       scene.open_outlet ? flow::open_boundary<2>() : flow::fully_developed<2>(1)}};
+      {"bottom", scene.open_outlet ? flow::open_boundary<2>() : flow::fully_developed<2>(1)}};
   if (!scene.mesh.full) conditions["symmetry"] = flow::symmetry<2>(0);
   return conditions;
 }
@@ -67,14 +66,13 @@ template <class Problem>
 CylinderPath follow(CylinderFlow& cylinder, Problem problem, solve::PathStart<State> start,
                     Continuation continuation, const solve::PathOptions& options,
                     const CylinderObserver& observe) {
-  const solve::PathObserver<State> observer =
-      [&](const State& state, solve::PathPoint& point) {
-        return !observe || observe(state, measure(cylinder, state), point);
-      };
+  const solve::PathObserver<State> observer = [&](const State& state, solve::PathPoint& point) {
+    return !observe || observe(state, measure(cylinder, state), point);
+  };
   return continuation == Continuation::arclength
              ? solve::follow_arclength(problem, std::move(start), options, observer)
              : solve::follow_natural(problem, std::move(start), solve::Predictor::secant, options,
-                                   observer);
+                                     observer);
 }
 
 }  // namespace
@@ -114,8 +112,7 @@ CylinderMeasures measure(CylinderFlow& cylinder, const State& state) {
   m.drag = halves * reaction(cylinder, "cylinder");
   m.drag_traction = halves * traction_integral(cylinder, state);
   m.wall_force = halves * reaction(cylinder, "wall");
-  m.largest_velocity =
-      state.value().head(space.velocity_count()).lpNorm<Eigen::Infinity>();
+  m.largest_velocity = state.value().head(space.velocity_count()).lpNorm<Eigen::Infinity>();
 
   double area = 0, divergence = 0, gradient = 0, yielded = 0, ill_posed = 0, momentum = 0;
   m.min_pressure = std::numeric_limits<double>::infinity();
@@ -176,17 +173,15 @@ CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading, Continuatio
                 {.tolerance = options.tolerance,
                  .max_iterations = 100,
                  .line_search = solve::LineSearch::residual_norm});
-  return follow_lambda_r(cylinder, loading,
-                         {.state = std::move(state),
-                          .parameter = std::log10(lambda_r),
-                          .direction = -1,
-                          .step = 0.2},
-                         continuation, options, observe);
+  return follow_lambda_r(
+      cylinder, loading,
+      {.state = std::move(state), .parameter = std::log10(lambda_r), .direction = -1, .step = 0.2},
+      continuation, options, observe);
 }
 
-CylinderPath follow_lambda_r(CylinderFlow& cylinder, double loading,
-                             solve::PathStart<State> start, Continuation continuation,
-                             solve::PathOptions options, const CylinderObserver& observe) {
+CylinderPath follow_lambda_r(CylinderFlow& cylinder, double loading, solve::PathStart<State> start,
+                             Continuation continuation, solve::PathOptions options,
+                             const CylinderObserver& observe) {
   cylinder.flow().set_load_factor(loading);
   options.target = std::log10(cylinder.scene().lambda_r);
   options.upper = 1;  // λr = 10: a path that climbs there has turned back for good

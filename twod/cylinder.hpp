@@ -45,19 +45,19 @@ class CylinderFlow {
 /// What is measured of a solution; forces per unit thickness on the whole cylinder and both walls.
 struct CylinderMeasures {
   double loading = 0, lambda_r = 0;
-  double mean_velocity = 0;       ///< U, flux through the inlet over its width
-  double drag = 0;                ///< F_D/(p_ext D) from the consistent nodal reactions
-  double drag_traction = 0;       ///< the same from the integral of the traction
-  double wall_force = 0;          ///< friction of the side walls
-  double weight = 0;              ///< F times area, both halves
-  double momentum_flux = 0;       ///< ∫ (u·grad) u_z: what the flow carries off
-  double min_pressure = 0;        ///< smallest total pressure at the quadrature points
+  double mean_velocity = 0;  ///< U, flux through the inlet over its width
+  double drag = 0;           ///< F_D/(p_ext D) from the consistent nodal reactions
+  double drag_traction = 0;  ///< the same from the integral of the traction
+  double wall_force = 0;     ///< friction of the side walls
+  double weight = 0;         ///< F times area, both halves
+  double momentum_flux = 0;  ///< ∫ (u·grad) u_z: what the flow carries off
+  double min_pressure = 0;   ///< smallest total pressure at the quadrature points
   double max_pressure = 0;
   double largest_velocity = 0;
-  double divergence = 0;          ///< ‖div u‖ in L2 over ‖grad u‖
+  double divergence = 0;            ///< ‖div u‖ in L2 over ‖grad u‖
   double projected_divergence = 0;  ///< the same projected onto the pressures: what p can control
-  double yielded_share = 0;       ///< area where the stress exceeds μs p_regu
-  double ill_posed_share = 0;     ///< area that flows (yields) where C > 0
+  double yielded_share = 0;         ///< area where the stress exceeds μs p_regu
+  double ill_posed_share = 0;       ///< area that flows (yields) where C > 0
 
   /// (drag + wall - weight + momentum)/weight: 0 in equilibrium, to round-off.
   double imbalance() const { return (drag + wall_force + momentum_flux - weight) / weight; }
@@ -105,9 +105,8 @@ CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading,
 
 /// Follows log10 λr from a point of such a path.
 CylinderPath follow_lambda_r(CylinderFlow& cylinder, double loading,
-                             solve::PathStart<CylinderFlow::State> start,
-                             Continuation continuation, solve::PathOptions options,
-                             const CylinderObserver& observe = {});
+                             solve::PathStart<CylinderFlow::State> start, Continuation continuation,
+                             solve::PathOptions options, const CylinderObserver& observe = {});
 
 /// Follows the loading at the scene's λr from `start` (its parameter is the loading) to `target`.
 CylinderPath follow_loading(CylinderFlow& cylinder, solve::PathStart<CylinderFlow::State> start,

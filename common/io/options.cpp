@@ -40,16 +40,20 @@ Number in_range(const std::string& option, const std::string& text, Number lower
 }
 
 template <class Number>
+CLI::Validator within(Number lower, Number upper) {
+  return {[=](std::string& text) {
+            Number ignored;
+            return check_range(text, lower, upper, ignored);
+          },
+          ""};
+}
+
+template <class Number>
 CLI::Option* add_number(CLI::App& app, const std::string& name, Number& value,
                         const std::string& description, Number lower, Number upper,
                         const std::string& range) {
   return app.add_option(name, value, description + " [" + range + "]")
-      ->check(CLI::Validator(
-          [=](std::string& text) {
-            Number ignored;
-            return check_range(text, lower, upper, ignored);
-          },
-          ""))
+      ->check(within(lower, upper))
       ->capture_default_str();
 }
 
@@ -65,6 +69,16 @@ CLI::Option* add_real(CLI::App& app, const std::string& name, double& value,
                       const std::string& description, double lower, double upper) {
   return add_number(app, name, value, description, lower, upper,
                     rounded(lower, 6) + " ... " + rounded(upper, 6));
+}
+
+CLI::Option* add_reals(CLI::App& app, const std::string& name, std::vector<double>& values,
+                       const std::string& description, double lower, double upper) {
+  return app
+      .add_option(name, values,
+                  description + " [each " + rounded(lower, 6) + " ... " + rounded(upper, 6) + "]")
+      ->delimiter(',')
+      ->check(within(lower, upper))
+      ->capture_default_str();
 }
 
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,

@@ -19,6 +19,10 @@ CLI::Option* add_integer(CLI::App& app, const std::string& name, int& value,
 CLI::Option* add_real(CLI::App& app, const std::string& name, double& value,
                       const std::string& description, double lower, double upper);
 
+/// Adds an option that takes reals separated by commas, each in [lower, upper].
+CLI::Option* add_reals(CLI::App& app, const std::string& name, std::vector<double>& values,
+                       const std::string& description, double lower, double upper);
+
 /// Adds an option that takes one of the names.
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
                         const std::string& description, const std::vector<std::string>& names);

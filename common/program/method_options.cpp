@@ -72,14 +72,17 @@ rheology::Regularisation limiting_law(const MethodOptions& options) {
 }
 
 rheology::FrictionLaw friction_law(const MethodOptions& options) {
-  rheology::FrictionLaw law;
-  if (options.friction.empty()) return law;
+  return friction_law(options.friction);
+}
+
+rheology::FrictionLaw friction_law(const std::string& text, rheology::FrictionLaw law) {
+  if (text.empty()) return law;
   std::vector<double> numbers;
-  std::istringstream parts(options.friction);
+  std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');)
     numbers.push_back(io::real_in_range("--friction", part, 1e-3, 10));
   if (numbers.size() != 3)
-    throw io::UserError("--friction: '" + options.friction +
+    throw io::UserError("--friction: '" + text +
                         "' is not three numbers mu_s,delta_mu,I0, each 0.001 ... 10");
   law.mu_s = numbers[0];
   law.delta_mu = numbers[1];

@@ -29,6 +29,9 @@ flow::ShearOptions shear_options(const MethodOptions& options, flow::ShearOption
 /// interior point.
 rheology::Regularisation limiting_law(const MethodOptions& options);
 
+/// The friction law mu_s,delta_mu,I0 of --friction, the default if it is empty. Throws
+/// io::UserError.
+rheology::FrictionLaw friction_law(const std::string& text, rheology::FrictionLaw law = {});
 /// The friction law of --friction. Throws io::UserError.
 rheology::FrictionLaw friction_law(const MethodOptions& options);
 

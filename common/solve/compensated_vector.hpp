@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -28,9 +29,15 @@ class CompensatedVector {
   explicit CompensatedVector(const Eigen::VectorXd& value)
       : value_(value), correction_(Eigen::VectorXd::Zero(value.size())) {}
 
+  /// Both parts as they were: what a checkpoint keeps.
+  CompensatedVector(Eigen::VectorXd value, Eigen::VectorXd correction)
+      : value_(std::move(value)), correction_(std::move(correction)) {}
+
   Eigen::Index size() const { return value_.size(); }
   /// The vector rounded to double.
   const Eigen::VectorXd& value() const { return value_; }
+  /// What the rounding dropped.
+  const Eigen::VectorXd& correction() const { return correction_; }
   Precision precision() const { return precision_; }
 
   /// (this)_i - (this)_j; exact but for one rounding where the two agree in leading digits.

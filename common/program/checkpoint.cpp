@@ -1,0 +1,46 @@
+#include "common/program/checkpoint.hpp"
+
+#include <fstream>
+#include <sstream>
+
+namespace talus::program {
+
+void write_checkpoint(const io::ResultFolder& folder, const std::string& name,
+                      const Checkpoint& checkpoint) {
+  const auto& start = checkpoint.start;
+  const nlohmann::json header = {
+      {"notes", checkpoint.notes},    {"size", start.state.size()},
+      {"parameter", start.parameter}, {"direction", start.direction},
+      {"step", start.step},           {"reference_sign", start.reference_sign}};
+  std::string contents = header.dump() + "\n";
+  for (const Eigen::VectorXd* part : {&start.state.value(), &start.state.correction()})
+    contents.append(reinterpret_cast<const char*>(part->data()),
+                    sizeof(double) * static_cast<std::size_t>(part->size()));
+  folder.write(name, contents);
+}
+
+std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return std::nullopt;
+  const auto broken = [&] {
+    return io::UserError("'" + file.string() + "' is not a checkpoint; remove it to start anew");
+  };
+  std::string line;
+  std::getline(in, line);
+  const nlohmann::json header = nlohmann::json::parse(line, nullptr, false);
+  if (header.is_discarded() || !header.contains("size")) throw broken();
+  const auto size = header["size"].get<Eigen::Index>();
+  Eigen::VectorXd value(size), correction(size);
+  for (Eigen::VectorXd* part : {&value, &correction})
+    in.read(reinterpret_cast<char*>(part->data()),
+            static_cast<std::streamsize>(sizeof(double)) * size);
+  if (!in) throw broken();
+  return Checkpoint{header["notes"],
+                    {.state = {std::move(value), std::move(correction)},
+                     .parameter = header["parameter"],
+                     .direction = header["direction"],
+                     .step = header["step"],
+                     .reference_sign = header["reference_sign"]}};
+}
+
+}  // namespace talus::program

@@ -1,0 +1,170 @@
+// Granular flow down a channel past a cylinder, scaled by the confining pressure: one number, the
+// loading F = φρgD/p_ext, decides between creep and flow.
+//
+// Sample runs (the test suite runs them):
+//   cylinder --around 24 --loading 0.02
+//   cylinder --around 24 --sweep 0.044:0.052:3 --regularisation barker-gray --plot
+//   cylinder --around 16 --full --loading 0.03 --penalty plain --lambda-r 1e-4
+//   cylinder --around 16 --loading 0.044 --outflow open --outlet 8 --route lambda-r
+#include <iostream>
+#include <sstream>
+
+#include "common/io/options.hpp"
+#include "common/program/method_options.hpp"
+#include "common/solve/stopwatch.hpp"
+#include "twod/cylinder_sweep.hpp"
+
+using namespace talus;
+
+namespace {
+
+struct Options {
+  twod::SweepOptions run;
+  std::string sweep, regularisation = "chauchat-medale", penalty = "iterated", friction;
+  std::string outflow = "fully-developed", continuation = "arclength", route = "loading";
+  std::string output = "results/cylinder";
+  double lambda_p = 0;  // 0: the penalty's own default
+  bool no_inertia = false, plot = false;
+};
+
+constexpr double smallest_loading = 1e-6, largest_loading = 0.07;
+
+// "A:B:N": N loadings from A to B.
+std::vector<double> read_sweep(const std::string& text) {
+  std::istringstream in(text);
+  std::string part;
+  std::vector<std::string> parts;
+  while (std::getline(in, part, ':')) parts.push_back(part);
+  if (parts.size() != 3)
+    throw io::UserError("--sweep: '" + text + "' is not A:B:N, such as 0.044:0.054:6");
+  const double a = io::real_in_range("--sweep", parts[0], smallest_loading, largest_loading);
+  const double b = io::real_in_range("--sweep", parts[1], smallest_loading, largest_loading);
+  const int n = io::whole_in_range("--sweep", parts[2], 2, 1000);
+  std::vector<double> loadings;
+  for (int i = 0; i < n; ++i) loadings.push_back(a + (b - a) * i / (n - 1));
+  return loadings;
+}
+
+void read(Options& o) {
+  twod::Cylinder& scene = o.run.scene;
+  if (scene.mesh.around % 8 != 0)
+    throw io::UserError("--around: '" + std::to_string(scene.mesh.around) +
+                        "' is not a multiple of 8 in 16 ... 640");
+  scene.regularisation = *rheology::regularisation_named(o.regularisation);
+  scene.penalty.kind = o.penalty == "plain" ? flow::Penalty::plain : flow::Penalty::iterated;
+  if (scene.penalty.kind == flow::Penalty::plain) scene.penalty.lambda_p = 1e-8;
+  if (o.lambda_p > 0) scene.penalty.lambda_p = o.lambda_p;
+  scene.inertia = !o.no_inertia;
+  scene.open_outlet = o.outflow == "open";
+  if (!o.sweep.empty()) o.run.loadings = read_sweep(o.sweep);
+  if (!o.friction.empty()) scene.law = program::friction_law(o.friction, scene.law);
+  o.run.continuation =
+      o.continuation == "natural" ? twod::Continuation::natural : twod::Continuation::arclength;
+  o.run.route = o.route == "loading" ? twod::Route::loading : twod::Route::lambda_r;
+}
+
+int run(Options& options) {
+  // 1. The scene: mesh, boundary conditions, law.
+  read(options);
+  const io::ResultFolder folder(options.output);
+  const solve::Stopwatch watch;
+  twod::CylinderSweep sweep(options.run, folder);
+
+  // 2. The paths from rest to every loading.
+  const bool reached_all = sweep.run();
+
+  // 3. What came out.
+  nlohmann::json summary = {{"program", "cylinder"}, {"parameters", sweep.parameters()}};
+  summary["status"] = reached_all ? "converged" : solve::name_of(sweep.end());
+  summary["elements"] = sweep.cylinder().space().element_count();
+  summary["condensed_unknowns"] = sweep.cylinder().flow().system().unknowns();
+  summary["factorisations"] = sweep.factorisations();
+  summary["folds"] = sweep.folds();
+  summary["seconds"] = watch.seconds();
+  summary["results"] = nlohmann::json::object();
+  summary["sweep"] = nlohmann::json::array();
+  for (const auto& measures : sweep.reached_loadings())
+    summary["sweep"].push_back(twod::as_json(measures));
+  if (!sweep.reached_loadings().empty()) summary["results"] = summary["sweep"].back();
+
+  // 4. The files.
+  folder.write("summary.json", summary.dump(2) + "\n");
+  folder.write("path.csv", io::to_csv(twod::path_table(sweep.records())));
+  folder.write("sweep.pvd", io::to_pvd(sweep.series()));
+  std::vector<io::Figure> figures = {twod::path_figure(sweep.records())};
+  if (!sweep.reached_loadings().empty()) {
+    folder.write("perimeter.csv",
+                 io::to_csv(twod::perimeter_table(sweep.cylinder(), sweep.state())));
+    figures.push_back(twod::perimeter_figure(sweep.cylinder(), sweep.state()));
+    figures.push_back(twod::drag_figure(sweep.reached_loadings(), options.run.confining_pressures));
+  }
+  bool drawn = options.plot;
+  for (const io::Figure& figure : figures)
+    drawn =
+        drawn && io::write_figure(folder, figure, "svg") && io::write_figure(folder, figure, "png");
+  std::cout << sweep.factorisations() << " factorisations, " << sweep.folds() << " folds, "
+            << io::rounded(watch.seconds(), 3) << " s; results in " << folder.path().string()
+            << ": summary.json sweep.csv sweep.pvd path.csv perimeter.csv"
+            << (drawn ? " path.svg perimeter.svg drag.svg (and .png)" : "") << '\n';
+  if (reached_all) return 0;
+  std::cerr << "cylinder: " << solve::name_of(sweep.end())
+            << " at F = " << io::rounded(sweep.cylinder().flow().load_factor(), 8)
+            << ", λr = " << io::rounded(sweep.cylinder().flow().rheology().lambda_r, 4) << " after "
+            << sweep.folds()
+            << " folds: see path.csv; try the other --route, a larger --lambda-r or the "
+               "well-posed --regularisation barker-gray\n";
+  return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Granular flow around a cylinder, in velocity and pressure", "cylinder"};
+  Options o;
+  CLI::Option* loading =
+      io::add_reals(app, "--loading", o.run.loadings, "Loadings F = φρgD/p_ext, one or several",
+                    smallest_loading, largest_loading);
+  app.add_option("--sweep", o.sweep, "N loadings from A to B instead, as A:B:N")->excludes(loading);
+  io::add_integer(app, "--around", o.run.scene.mesh.around,
+                  "Elements around the whole cylinder, a multiple of 8", 16, 640);
+  io::add_real(app, "--first-layer", o.run.scene.mesh.first_layer,
+               "Thickness of the elements on the cylinder, in D; default 3.2/around", 1e-4, 0.5)
+      ->default_str("");
+  app.add_flag("--full", o.run.scene.mesh.full, "Both halves of the channel, without symmetry");
+  io::add_real(app, "--outlet", o.run.scene.mesh.outlet, "Distance of the outlet below, in D", 4,
+               60);
+  io::add_choice(app, "--outflow", o.outflow, "Condition at the outlet",
+                 {"fully-developed", "open"});
+  std::vector<std::string> names;
+  for (const auto& each : rheology::regularisations()) names.push_back(rheology::name_of(each));
+  io::add_choice(app, "--regularisation", o.regularisation, "Viscosity, eq. (9)-(12) or a control",
+                 names);
+  io::add_real(app, "--lambda-r", o.run.scene.lambda_r, "Regularisation parameter, scaled", 1e-12,
+               1);
+  app.add_option("--friction", o.friction,
+                 "Friction law mu_s,delta_mu,I0 [each 0.001 ... 10; default 0.4,0.25,0.3]");
+  io::add_choice(app, "--penalty", o.penalty,
+                 "Iterated (none is left in the result), or the paper's plain one",
+                 {"iterated", "plain"});
+  io::add_real(app, "--lambda-p", o.lambda_p,
+               "Penalty; default 1e-4 over the viscosity (iterated), 1e-8 (plain)", 1e-14, 1)
+      ->default_str("");
+  app.add_flag("--no-inertia", o.no_inertia, "Leave out the advective term");
+  io::add_choice(app, "--continuation", o.continuation, "How paths are followed",
+                 {"arclength", "natural"});
+  io::add_choice(app, "--route", o.route,
+                 "To each loading: along the loading from creep, or down in λr at the loading",
+                 {"loading", "lambda-r"});
+  io::add_integer(app, "--max-points", o.run.max_points, "Points of one path at most", 2, 100000);
+  io::add_reals(app, "--confining-pressure", o.run.confining_pressures,
+                "p_ext in φρgD, for the Froude numbers", 0.01, 1000);
+  app.add_option("--output", o.output, "Folder for the results")->capture_default_str();
+  app.add_flag("--resume", o.run.resume, "Go on from the last accepted state in the folder");
+  app.add_flag("--plot", o.plot, "Draw the figures (data, gnuplot script, SVG and PNG)");
+  return io::run_program(app, argc, argv, [&] {
+    auto& mesh = o.run.scene.mesh;
+    if (app.count("--first-layer") == 0)
+      mesh.first_layer = twod::refined_to(mesh.around).first_layer;
+    return run(o);
+  });
+}

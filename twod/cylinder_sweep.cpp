@@ -1,0 +1,147 @@
+#include "twod/cylinder_sweep.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+#include "common/program/checkpoint.hpp"
+
+namespace talus::twod {
+namespace {
+
+constexpr const char* checkpoint_name = "checkpoint.bin";
+
+std::string file_of(std::size_t number) {
+  const std::string digits = std::to_string(number);
+  return "flow_" + std::string(4 - std::min<std::size_t>(4, digits.size()), '0') + digits + ".vtu";
+}
+
+}  // namespace
+
+CylinderSweep::CylinderSweep(const SweepOptions& options, const io::ResultFolder& folder)
+    : options_(options), folder_(folder), cylinder_(options.scene) {
+  parameters_ = as_json(options.scene);
+  parameters_["loadings"] = options.loadings;
+  parameters_["route"] = options.route == Route::loading ? "loading" : "lambda-r";
+  parameters_["continuation"] =
+      options.continuation == Continuation::natural ? "natural" : "arclength";
+}
+
+bool CylinderSweep::run() {
+  if (options_.resume) resume();
+  for (; reached() < options_.loadings.size(); finish_loading()) {
+    const double target = options_.loadings[reached()];
+    if (state_.size() == 0 || options_.route == Route::lambda_r) {
+      const double first = options_.route == Route::lambda_r ? target : first_loading();
+      if (!accept(solve_from_rest(cylinder_, first, options_.continuation, path_options(),
+                                  observer("lambda_r", first))))
+        return false;
+    }
+    if (loading_ == target) continue;
+    const int direction = target > loading_ ? 1 : -1;
+    if (!accept(follow_loading(
+            cylinder_, {.state = state_, .parameter = loading_, .direction = direction}, target,
+            options_.continuation, path_options(), observer("loading", target))))
+      return false;
+  }
+  return true;
+}
+
+int CylinderSweep::folds() const {
+  return static_cast<int>(std::ranges::count_if(
+      records_, [](const PathRecord& record) { return record.point.is_fold_passed; }));
+}
+
+// A little above the onset in the empty channel the cylinder still holds everything: a path in λr
+// has nothing to pass there.
+double CylinderSweep::first_loading() const {
+  return std::min(options_.loadings.front(),
+                  1.1 * options_.scene.law.mu_s / options_.scene.mesh.half_width);
+}
+
+solve::PathOptions CylinderSweep::path_options() const {
+  solve::PathOptions path = cylinder_path_options();
+  path.max_points = options_.max_points;
+  return path;
+}
+
+CylinderObserver CylinderSweep::observer(const std::string& stage, double target) {
+  return [this, stage, target](const auto& state, const auto& measures, const auto& point) {
+    records_.push_back({point, measures});
+    progress_.show("F = " + io::rounded(measures.loading, 6) +
+                       ", λr = " + io::rounded(measures.lambda_r, 3) +
+                       ", U = " + io::rounded(measures.mean_velocity, 4),
+                   static_cast<double>(reached()) / static_cast<double>(options_.loadings.size()));
+    save(stage, target, program::start_from(state, point));
+    return true;
+  };
+}
+
+void CylinderSweep::save(const std::string& stage, double target,
+                         const solve::PathStart<CylinderFlow::State>& start) const {
+  nlohmann::json notes = {{"parameters", parameters_},
+                          {"stage", stage},
+                          {"target", target},
+                          {"sweep", nlohmann::json::array()}};
+  for (const auto& measures : sweep_) notes["sweep"].push_back(as_json(measures));
+  program::write_checkpoint(folder_, checkpoint_name, {notes, start});
+}
+
+void CylinderSweep::resume() {
+  const auto file = folder_.path() / checkpoint_name;
+  auto checkpoint = program::read_checkpoint(file);
+  if (!checkpoint) return;
+  const nlohmann::json& notes = checkpoint->notes;
+  if (notes.at("parameters") != parameters_)
+    throw io::UserError("--resume: '" + file.string() +
+                        "' belongs to a run with other options; give those, or another --output");
+  for (const auto& each : notes.at("sweep")) {
+    sweep_.push_back(measures_from(each));
+    series_.push_back({sweep_.back().loading, file_of(sweep_.size())});
+  }
+  const std::string stage = notes.at("stage");
+  const double target = notes.at("target");
+  if (stage == "reached") {
+    state_ = checkpoint->start.state;
+    loading_ = target;
+    cylinder_.flow().set_load_factor(loading_);
+    cylinder_.flow().set_lambda_r(options_.scene.lambda_r);
+    return;
+  }
+  const bool arrived =
+      stage == "lambda_r"
+          ? accept(follow_lambda_r(cylinder_, target, std::move(checkpoint->start),
+                                   options_.continuation, path_options(), observer(stage, target)))
+          : accept(follow_loading(cylinder_, std::move(checkpoint->start), target,
+                                  options_.continuation, path_options(), observer(stage, target)));
+  if (arrived && reached() < options_.loadings.size() && loading_ == options_.loadings[reached()])
+    finish_loading();
+}
+
+// Takes over where a path ended; true if that is its target.
+bool CylinderSweep::accept(CylinderPath path) {
+  end_ = path.end;
+  factorisations_ += path.total_cost().factorisations;
+  if (path.end == solve::PathEnd::start_failed) return false;
+  state_ = std::move(path.next.state);
+  loading_ = cylinder_.flow().load_factor();
+  return end_ == solve::PathEnd::target_reached;
+}
+
+// A loading is reached: Newton down to round-off, measures and fields.
+void CylinderSweep::finish_loading() {
+  solve::newton(
+      cylinder_.flow(), state_,
+      {.tolerance = 1e-14, .max_iterations = 4, .line_search = solve::LineSearch::residual_norm});
+  sweep_.push_back(measure(cylinder_, state_));
+  const CylinderMeasures& m = sweep_.back();
+  series_.push_back({m.loading, file_of(sweep_.size())});
+  folder_.write(series_.back().file, io::to_vtu(grid(cylinder_, state_)));
+  folder_.write("sweep.csv", io::to_csv(sweep_table(sweep_, options_.confining_pressures)));
+  std::cout << "F = " << io::rounded(m.loading, 6) << ": U = " << io::rounded(m.mean_velocity, 6)
+            << ", drag " << io::rounded(m.drag, 6) << " (traction "
+            << io::rounded(m.drag_traction, 6) << "), smallest pressure "
+            << io::rounded(m.min_pressure, 3) << std::endl;
+  save("reached", m.loading, {.state = state_, .parameter = m.loading});
+}
+
+}  // namespace talus::twod

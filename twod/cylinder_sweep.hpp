@@ -1,0 +1,72 @@
+// A run of the cylinder: from rest to one loading after the other, with a checkpoint at every
+// accepted point.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/io/progress.hpp"
+#include "common/io/result_folder.hpp"
+#include "twod/cylinder_report.hpp"
+
+namespace talus::twod {
+
+/// To each loading: along the loading at the scene's λr, having crept in well below yield; or down
+/// in λr at the loading itself.
+enum class Route { loading, lambda_r };
+
+struct SweepOptions {
+  Cylinder scene;
+  std::vector<double> loadings = {0.054};
+  std::vector<double> confining_pressures = {1, 2, 3, 5, 10};  ///< in φρgD, for the tables
+  Continuation continuation = Continuation::arclength;
+  Route route = Route::loading;
+  int max_points = 400;  ///< of one path
+  bool resume = false;   ///< go on from the checkpoint in the folder, if there is one
+};
+
+class CylinderSweep {
+ public:
+  /// Both must outlive the sweep.
+  CylinderSweep(const SweepOptions& options, const io::ResultFolder& folder);
+
+  /// Reaches one loading after the other; true if all were. Every loading reached writes its fields
+  /// and sweep.csv. Throws io::UserError if the checkpoint belongs to another run.
+  bool run();
+
+  CylinderFlow& cylinder() { return cylinder_; }
+  const CylinderFlow::State& state() const { return state_; }
+  const nlohmann::json& parameters() const { return parameters_; }
+  const std::vector<PathRecord>& records() const { return records_; }  ///< of this process
+  const std::vector<CylinderMeasures>& reached_loadings() const { return sweep_; }
+  const std::vector<io::SeriesEntry>& series() const { return series_; }
+  solve::PathEnd end() const { return end_; }  ///< of the last path
+  int factorisations() const { return factorisations_; }
+  int folds() const;
+
+ private:
+  std::size_t reached() const { return sweep_.size(); }
+  double first_loading() const;
+  solve::PathOptions path_options() const;
+  CylinderObserver observer(const std::string& stage, double target);
+  void save(const std::string& stage, double target,
+            const solve::PathStart<CylinderFlow::State>& start) const;
+  void resume();
+  bool accept(CylinderPath path);
+  void finish_loading();
+
+  const SweepOptions& options_;
+  const io::ResultFolder& folder_;
+  CylinderFlow cylinder_;
+  nlohmann::json parameters_;
+  CylinderFlow::State state_;
+  double loading_ = 0;  // of state_
+  std::vector<PathRecord> records_;
+  std::vector<CylinderMeasures> sweep_;
+  std::vector<io::SeriesEntry> series_;
+  solve::PathEnd end_ = solve::PathEnd::target_reached;
+  int factorisations_ = 0;
+  io::Progress progress_;
+};
+
+}  // namespace talus::twod
