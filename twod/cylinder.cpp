@@ -14,7 +14,8 @@ flow::BoundaryConditions<2> boundary_conditions(const Cylinder& scene) {
       {"cylinder", flow::no_slip<2>()},
       {"wall", flow::no_slip<2>()},
       {"top", flow::fully_developed<2>(1)},
-      {"bottom", scene.open_outlet ? flow::open_boundary<2>() : flow::fully_developed<2>(1)}};
+      {"bottom", scene.open_outlet == flow::Open::no ? flow::fully_developed<2>(1)
+                                                     : flow::open_boundary<2>(scene.open_outlet)}};
   if (!scene.mesh.full) conditions["symmetry"] = flow::symmetry<2>(0);
   return conditions;
 }
@@ -133,7 +134,7 @@ CylinderMeasures measure(CylinderFlow& cylinder, const State& state) {
       m.max_pressure = std::max(m.max_pressure, at.total_pressure);
     }
   m.weight = halves * m.loading * area;
-  m.momentum_flux = cylinder.scene().inertia ? halves * momentum : 0;
+  m.momentum_flux = cylinder.scene().inertia ? -halves * momentum : 0;
   m.yielded_share = yielded / area;
   m.ill_posed_share = ill_posed / area;
   const double gradient_norm = std::sqrt(gradient);

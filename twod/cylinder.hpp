@@ -20,7 +20,7 @@ struct Cylinder {
   double lambda_r = 1e-6;
   flow::PenaltyOptions penalty;
   bool inertia = true;
-  bool open_outlet = false;  ///< the paper's open boundary at the bottom, eq. (8)
+  flow::Open open_outlet = flow::Open::no;  ///< the paper's open boundary below, eq. (8)
 };
 
 /// The discrete problem of a scene.
@@ -59,7 +59,7 @@ struct CylinderMeasures {
   double yielded_share = 0;         ///< area where the stress exceeds μs p_regu
   double ill_posed_share = 0;       ///< area that flows (yields) where C > 0
 
-  /// (drag + wall - weight + momentum)/weight: 0 in equilibrium, to round-off.
+  /// (drag + walls + momentum - weight)/weight: 0 in equilibrium, to round-off.
   double imbalance() const { return (drag + wall_force + momentum_flux - weight) / weight; }
   /// F_D/(½ φρ U² D).
   double drag_coefficient() const { return 2 * drag / (mean_velocity * mean_velocity); }

@@ -5,7 +5,7 @@
 //   cylinder --around 24 --loading 0.02
 //   cylinder --around 24 --sweep 0.044:0.052:3 --regularisation barker-gray --plot
 //   cylinder --around 16 --full --loading 0.03 --penalty plain --lambda-r 1e-4
-//   cylinder --around 16 --loading 0.044 --outflow open --outlet 8 --route lambda-r
+//   cylinder --around 16 --loading 0.044 --outflow open-viscous --outlet 8 --route lambda-r
 #include <iostream>
 #include <sstream>
 
@@ -55,7 +55,8 @@ void read(Options& o) {
   if (scene.penalty.kind == flow::Penalty::plain) scene.penalty.lambda_p = 1e-8;
   if (o.lambda_p > 0) scene.penalty.lambda_p = o.lambda_p;
   scene.inertia = !o.no_inertia;
-  scene.open_outlet = o.outflow == "open";
+  for (const flow::Open open : {flow::Open::no, flow::Open::viscous, flow::Open::all})
+    if (o.outflow == twod::name_of_outflow(open)) scene.open_outlet = open;
   if (!o.sweep.empty()) o.run.loadings = read_sweep(o.sweep);
   if (!o.friction.empty()) scene.law = program::friction_law(o.friction, scene.law);
   o.run.continuation =
@@ -133,8 +134,9 @@ int main(int argc, char** argv) {
   app.add_flag("--full", o.run.scene.mesh.full, "Both halves of the channel, without symmetry");
   io::add_real(app, "--outlet", o.run.scene.mesh.outlet, "Distance of the outlet below, in D", 4,
                60);
-  io::add_choice(app, "--outflow", o.outflow, "Condition at the outlet",
-                 {"fully-developed", "open"});
+  io::add_choice(app, "--outflow", o.outflow,
+                 "At the outlet: developed, or open with or without its pressure",
+                 {"fully-developed", "open-viscous", "open"});
   std::vector<std::string> names;
   for (const auto& each : rheology::regularisations()) names.push_back(rheology::name_of(each));
   io::add_choice(app, "--regularisation", o.regularisation, "Viscosity, eq. (9)-(12) or a control",

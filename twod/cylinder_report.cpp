@@ -82,12 +82,18 @@ CylinderMeasures measures_from(const nlohmann::json& json) {
   return measures;
 }
 
+std::string name_of_outflow(flow::Open open) {
+  return open == flow::Open::no        ? "fully-developed"
+         : open == flow::Open::viscous ? "open-viscous"
+                                       : "open";
+}
+
 nlohmann::json as_json(const Cylinder& scene) {
   return {{"around", scene.mesh.around},
           {"first_layer", scene.mesh.first_layer},
           {"domain", scene.mesh.full ? "full" : "half"},
           {"outlet", scene.mesh.outlet},
-          {"outflow", scene.open_outlet ? "open" : "fully-developed"},
+          {"outflow", name_of_outflow(scene.open_outlet)},
           {"regularisation", rheology::name_of(scene.regularisation)},
           {"lambda_r", scene.lambda_r},
           {"penalty", scene.penalty.kind == flow::Penalty::plain ? "plain" : "iterated"},
@@ -231,23 +237,22 @@ io::Figure perimeter_figure(const CylinderFlow& cylinder, const State& state) {
 io::Figure path_figure(const std::vector<PathRecord>& path) {
   io::Panel in_lambda{"Path in λ_r", "λ_r", "U", true, true, {}};
   io::Panel in_loading{"Path in the loading", "F", "U", false, true, {}};
+  const auto add = [](io::Curve& curve, double x, const CylinderMeasures& m) {
+    curve.x.push_back(x);
+    curve.y.push_back(m.mean_velocity);
+  };
   io::Curve lambda{"path", {}, {}}, loading{"path", {}, {}};
   io::Curve lambda_folds{"folds", {}, {}, io::Style::rings},
       loading_folds{"folds", {}, {}, io::Style::rings};
-  double last_loading = std::numeric_limits<double>::quiet_NaN();
+  const double last_lambda_r = path.back().measures.lambda_r;
+  const double first_loading = path.front().measures.loading;
   for (const auto& [point, m] : path) {
-    const bool moves_loading = m.loading != last_loading && !loading.x.empty();
-    last_loading = m.loading;
-    if (!moves_loading) {
-      lambda.x.push_back(m.lambda_r);
-      lambda.y.push_back(m.mean_velocity);
-    }
-    loading.x.push_back(m.loading);
-    loading.y.push_back(m.mean_velocity);
-    if (!point.is_fold_passed) continue;
-    io::Curve& folds = moves_loading ? loading_folds : lambda_folds;
-    folds.x.push_back(moves_loading ? m.loading : m.lambda_r);
-    folds.y.push_back(m.mean_velocity);
+    const bool moves_lambda = m.loading == first_loading;
+    const bool moves_loading = m.lambda_r == last_lambda_r;
+    if (moves_lambda) add(lambda, m.lambda_r, m);
+    if (moves_loading) add(loading, m.loading, m);
+    if (point.is_fold_passed && moves_lambda) add(lambda_folds, m.lambda_r, m);
+    if (point.is_fold_passed && moves_loading) add(loading_folds, m.loading, m);
   }
   in_lambda.curves = {lambda, lambda_folds};
   in_loading.curves = {loading, loading_folds};

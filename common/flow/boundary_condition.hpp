@@ -11,6 +11,11 @@
 
 namespace talus::flow {
 
+/// An open boundary takes its traction from the flow inside, eq. (8): all of it, or only the
+/// viscous part, with no dynamic pressure outside. The first leaves the level of the pressure open
+/// as well: a column in a channel then simply rests on its outlet.
+enum class Open { no, viscous, all };
+
 /// What holds on one boundary. Velocity components are prescribed or carry a traction of the
 /// dynamic stress ηγ - p_dyn 1 (in φρgL, zero if nothing is said).
 template <int Dim>
@@ -19,7 +24,7 @@ struct BoundaryCondition {
   std::array<bool, Dim> fixed{};
   std::function<Vector(const Vector& position)> velocity = {};  ///< of fixed components; or zero
   std::function<Vector(const Vector& position, const Vector& normal)> traction = {};
-  bool open = false;  ///< the traction is what the flow inside makes it, eq. (8)
+  Open open = Open::no;
 };
 
 template <int Dim>
@@ -68,9 +73,9 @@ BoundaryCondition<Dim> prescribed_traction(
 
 /// The paper's outflow: the boundary term of the weak form stays, with the unknowns in it.
 template <int Dim>
-BoundaryCondition<Dim> open_boundary() {
+BoundaryCondition<Dim> open_boundary(Open kind = Open::all) {
   BoundaryCondition<Dim> condition;
-  condition.open = true;
+  condition.open = kind;
   return condition;
 }
 

@@ -273,7 +273,7 @@ template <int Dim>
 void DenseFlow<Dim>::add_open_sides(const rheology::Rheology& rheology, const State& state,
                                     solve::Residual& residual) const {
   constexpr double operations = 8;
-  for (const Face& face : space_.open_faces()) {
+  for (const auto& face : space_.open_faces()) {
     const auto side = open_side(space_, rheology, static_pressure_, state, face);
     const auto unknowns = element_unknowns(space_, face.element);
     for (std::size_t v = 0; v < OpenSide<Dim>::velocities; ++v) {
@@ -288,7 +288,7 @@ void DenseFlow<Dim>::add_open_sides(const rheology::Rheology& rheology, const St
 template <int Dim>
 void DenseFlow<Dim>::add_open_sides(std::size_t number, BatchTangent<Dim>& tangent) const {
   const auto& batch = space_.batches()[number];
-  for (const Face& face : space_.open_faces())
+  for (const auto& face : space_.open_faces())
     for (std::size_t lane = 0; lane < batch.count; ++lane) {
       if (batch.elements[lane] != face.element) continue;
       const auto side = open_side(space_, rheology_, static_pressure_, evaluated_, face);
@@ -306,7 +306,7 @@ void DenseFlow<Dim>::add_open_sides(std::size_t number, BatchTangent<Dim>& tange
 
 template <int Dim>
 void DenseFlow<Dim>::add_open_sides(const State& x, Eigen::VectorXd& product) const {
-  for (const Face& face : space_.open_faces()) {
+  for (const auto& face : space_.open_faces()) {
     const auto side = open_side(space_, rheology_, static_pressure_, evaluated_, face);
     const auto unknowns = element_unknowns(space_, face.element);
     for (std::size_t v = 0; v < OpenSide<Dim>::velocities; ++v)

@@ -59,7 +59,7 @@ void DenseSpace<Dim>::constrain() {
           if (condition.velocity) prescribed_.emplace_back(velocity_index(node, i), velocity[i]);
         }
       }
-      if (condition.open) open_faces_.push_back(face);
+      if (condition.open != Open::no) open_faces_.push_back({face, condition.open == Open::all});
       if (!condition.traction) continue;
       for (const auto& point : face_rule(mesh_, face)) {
         const ElementPoint<Dim> at(mesh_, face.element, point.reference);

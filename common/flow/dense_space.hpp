@@ -77,8 +77,11 @@ class DenseSpace {
   const std::vector<Batch>& batches() const { return batches_; }
   /// Basis values and reference gradients at the quadrature points, the same in every element.
   const std::vector<fem::QuadraticBasis<Dim>>& bases() const { return bases_; }
-  /// Sides with an open boundary.
-  const std::vector<Face>& open_faces() const { return open_faces_; }
+  /// Sides with an open boundary, and whether their pressure is open too.
+  struct OpenFace : Face {
+    bool keeps_pressure = true;
+  };
+  const std::vector<OpenFace>& open_faces() const { return open_faces_; }
   /// ∫ t N over the boundaries with a prescribed traction; zero at fixed velocities.
   const Eigen::VectorXd& traction_load() const { return traction_load_; }
 
@@ -110,7 +113,7 @@ class DenseSpace {
   PressureBasis kind_;
   std::vector<bool> fixed_;
   std::vector<std::pair<Eigen::Index, double>> prescribed_;
-  std::vector<Face> open_faces_;
+  std::vector<OpenFace> open_faces_;
   Eigen::VectorXd traction_load_;
   std::vector<fem::QuadraticBasis<Dim>> bases_;
   std::vector<Batch> batches_;

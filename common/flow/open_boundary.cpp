@@ -5,7 +5,8 @@ namespace talus::flow {
 template <int Dim>
 OpenSide<Dim> open_side(const DenseSpace<Dim>& space, const rheology::Rheology& rheology,
                         const std::function<double(const Point<Dim>&)>& static_pressure,
-                        const solve::CompensatedVector& state, const Face& face) {
+                        const solve::CompensatedVector& state,
+                        const typename DenseSpace<Dim>::OpenFace& face) {
   using Tensor = Eigen::Matrix<double, Dim, Dim>;
   OpenSide<Dim> side;
   for (const auto& point : face_rule(space.mesh(), face)) {
@@ -18,13 +19,14 @@ OpenSide<Dim> open_side(const DenseSpace<Dim>& space, const rheology::Rheology& 
         rheology.evaluate(shear_rate, values.pressure + static_pressure(at.position));
     const double slope = shear_rate > 0 ? v.d_eta_d_shear_rate / shear_rate : 0;
     const Point<Dim> drag = gamma * point.normal;
-    const Point<Dim> traction = v.eta * drag - values.pressure * point.normal;
+    const double pressure = face.keeps_pressure ? values.pressure : 0;
+    const Point<Dim> traction = v.eta * drag - pressure * point.normal;
     for (int a = 0; a < DenseSpace<Dim>::nodes_per_element; ++a) {
       const double weight = point.weight * at.values[a];
       side.force.template segment<Dim>(Dim * a) -= weight * traction;
       side.magnitude.template segment<Dim>(Dim * a) +=
           std::abs(weight) *
-          (v.eta * drag.cwiseAbs() + std::abs(values.pressure) * point.normal.cwiseAbs());
+          (v.eta * drag.cwiseAbs() + std::abs(pressure) * point.normal.cwiseAbs());
       for (int b = 0; b < DenseSpace<Dim>::nodes_per_element; ++b) {
         const Point<Dim> gradient = at.gradients.col(b);
         // η (grad δu + grad δuᵀ) n + δη γ n, by components of δu_b.
@@ -35,7 +37,8 @@ OpenSide<Dim> open_side(const DenseSpace<Dim>& space, const rheology::Rheology& 
       }
       for (int k = 0; k < DenseSpace<Dim>::pressures; ++k)
         side.tangent.template block<Dim, 1>(Dim * a, OpenSide<Dim>::velocities + k) -=
-            weight * psi[k] * (v.d_eta_d_pressure * drag - point.normal);
+            weight * psi[k] *
+            (v.d_eta_d_pressure * drag - (face.keeps_pressure ? 1.0 : 0.0) * point.normal);
     }
   }
   return side;
@@ -58,10 +61,10 @@ template struct OpenSide<2>;
 template struct OpenSide<3>;
 template OpenSide<2> open_side(const DenseSpace<2>&, const rheology::Rheology&,
                                const std::function<double(const Point<2>&)>&,
-                               const solve::CompensatedVector&, const Face&);
+                               const solve::CompensatedVector&, const DenseSpace<2>::OpenFace&);
 template OpenSide<3> open_side(const DenseSpace<3>&, const rheology::Rheology&,
                                const std::function<double(const Point<3>&)>&,
-                               const solve::CompensatedVector&, const Face&);
+                               const solve::CompensatedVector&, const DenseSpace<3>::OpenFace&);
 template std::array<Eigen::Index, OpenSide<2>::unknowns> element_unknowns(const DenseSpace<2>&,
                                                                           std::size_t);
 template std::array<Eigen::Index, OpenSide<3>::unknowns> element_unknowns(const DenseSpace<3>&,

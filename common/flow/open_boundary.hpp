@@ -24,7 +24,8 @@ struct OpenSide {
 template <int Dim>
 OpenSide<Dim> open_side(const DenseSpace<Dim>& space, const rheology::Rheology& rheology,
                         const std::function<double(const Point<Dim>&)>& static_pressure,
-                        const solve::CompensatedVector& state, const Face& face);
+                        const solve::CompensatedVector& state,
+                        const typename DenseSpace<Dim>::OpenFace& face);
 
 /// State indices of an element in the order of OpenSide.
 template <int Dim>
