@@ -23,7 +23,7 @@ flow::ShearOptions newton(double lambda_r) {
   flow::ShearOptions options = twod::default_options();
   options.method = flow::Method::newton;
   options.lambda_r = lambda_r;
-  options.continuation = false;
+  options.continuation = flow::Continuation::never;
   return options;
 }
 
@@ -108,7 +108,7 @@ void lambda_error(Chapter& chapter) {
     for (const double lambda_r : {1e-3, 1e-4, 1e-5, 1e-6}) {
       flow::ShearOptions options = newton(lambda_r);
       options.regularisation = regularisation;
-      options.continuation = true;
+      options.continuation = flow::Continuation::always;
       curve.x.push_back(lambda_r);
       curve.y.push_back(rate(mesh, studied_angle, options).value / exact - 1);
     }
