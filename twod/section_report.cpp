@@ -15,16 +15,19 @@ nlohmann::json summary(const SectionSolution& solution, const flow::CrossSection
                     {"surface_velocity", surface.velocity.front()},
                     {"depth_1_percent", surface.depth_1.front()},
                     {"depth_5_percent", surface.depth_5.front()},
+                    {"depth_yield", surface.depth_yield.front()},
+                    {"slip_at_surface", surface.velocity.back()},
                     {"yielded_share", yielded_share(solution, space)}};
   return all;
 }
 
 io::Table surface_table(const SectionSolution& solution, const flow::CrossSection<2>& space) {
   const SurfaceProfile surface = surface_profile(solution, space);
-  io::Table table{"", {"y", "velocity", "depth_1_percent", "depth_5_percent"}, {}};
+  io::Table table{"", {"y", "velocity", "depth_1_percent", "depth_5_percent", "depth_yield"}, {}};
   for (std::size_t i = 0; i < surface.y.size(); ++i)
     table.rows.push_back({io::exact(surface.y[i]), io::exact(surface.velocity[i]),
-                          io::exact(surface.depth_1[i]), io::exact(surface.depth_5[i])});
+                          io::exact(surface.depth_1[i]), io::exact(surface.depth_5[i]),
+                          io::exact(surface.depth_yield[i])});
   return table;
 }
 
@@ -48,7 +51,7 @@ io::QuadraticGrid grid(const SectionSolution& solution, const flow::CrossSection
     for (std::size_t a = 0; a < cell.size(); ++a)
       cell[a] = static_cast<long>(mesh.elements[e][vtk_order[a]]);
     double rate_sum = 0, pressure_sum = 0, stress_sum = 0;
-    for (std::size_t k = e * per_element; k < (e + 1) * per_element; ++k) {
+    for (const std::size_t k : space.points_of(e) | std::views::take(per_element)) {
       rate_sum += solution.shear_rate[k];
       pressure_sum += load.pressure(space.points()[k].position);
       stress_sum += solution.stress[k];
@@ -70,7 +73,8 @@ io::Figure figure(const SectionSolution& solution, const flow::CrossSection<2>& 
   velocity.curves = {{"", surface.y, surface.velocity, io::Style::line}};
   io::Panel depth{"depth of the flowing layer", "y / d", "depth / d", false, false, {}};
   depth.curves = {{"1% of the surface velocity", surface.y, surface.depth_1, io::Style::line},
-                  {"5%", surface.y, surface.depth_5, io::Style::line}};
+                  {"5%", surface.y, surface.depth_5, io::Style::line},
+                  {"yield criterion", surface.y, surface.depth_yield, io::Style::line}};
   io::Panel profiles{"velocity below the surface",
                      "u / sqrt(gd)",
                      "z / d",
