@@ -125,6 +125,7 @@ int main(int argc, char** argv) {
   CLI::App app{"Dense granular flow on a heap between side walls", "heap"};
   Options options;
   options.method.method = "interior-point";
+  options.method.tangent = "primal-dual";
   options.method.lambda_r = twod::default_options().lambda_r;
   io::add_choice(app, "--model", options.model, "How much of the scene is modelled", {"section"});
   CLI::Option* angle =

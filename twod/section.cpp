@@ -68,6 +68,7 @@ flow::ShearOptions default_options() {
   options.interior_point.tolerance = 1e-8;
   options.interior_point.path = flow::CentralPath::uniform;
   options.lambda_r = 1e-5;
+  options.tangent_term = flow::TangentTerm::primal_dual;
   options.continuation = flow::Continuation::always;
   options.path.factor = 1e-3;
   options.path.tolerance_on_the_way = 1e-2;

@@ -53,7 +53,7 @@ std::vector<NamedCheck> check_newton(CrossSection<Dim>& space, const ShearLoad<D
                                      const ShearOptions& options) {
   // A right tangent finds the states, whichever is checked.
   ShearOptions right = options;
-  right.tangent_term = TangentTerm::primal_dual;
+  if (options.tangent_term != TangentTerm::primal_dual) right.tangent_term = TangentTerm::full;
   const ShearSolution solution = solve_shear(space, load, right);
   ShearFlow<Dim> problem = regularised_problem(space, load, options);
   const double scale = std::max(1e-3, solution.velocity.value().template lpNorm<Eigen::Infinity>());

@@ -27,7 +27,7 @@ struct ShearOptions {
   Continuation continuation = Continuation::on_failure;
   solve::ContinuationOptions path;
   solve::Precision precision = solve::Precision::compensated;
-  TangentTerm tangent_term = TangentTerm::primal_dual;
+  TangentTerm tangent_term = TangentTerm::full;
   InteriorPointOptions interior_point;
   std::function<void(const solve::CompensatedVector&)> observe = {};  ///< Newton's iterates
 };

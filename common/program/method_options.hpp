@@ -12,7 +12,7 @@ namespace talus::program {
 /// As typed; `shear_options` and `friction_law` make sense of it.
 struct MethodOptions {
   std::string method = "newton", regularisation = "chauchat-medale", precision = "compensated";
-  std::string line_search = "energy-slope", tangent = "primal-dual", friction;
+  std::string line_search = "energy-slope", tangent = "full", friction;
   double lambda_r = 1e-6;
   double tolerance = 0;    ///< 0: the method's own default
   int max_iterations = 0;  ///< 0: the method's own default
