@@ -67,6 +67,26 @@ io::QuadraticGrid grid(const SectionSolution& solution, const flow::CrossSection
   return grid;
 }
 
+io::Panel profiles(const SectionSolution& solution, const flow::CrossSection<2>& space,
+                   const std::string& title) {
+  io::Panel panel{title, "u / sqrt(gd)", "z / d", false, false, {}, std::nullopt, "bottom right"};
+  const std::vector<double> y = surface_profile(solution, space).y;
+  const auto& nodes = space.mesh().nodes;
+  for (const double share : {0.0, 0.5, 0.8, 0.95}) {
+    const double wanted = share * solution.section.width / 2;
+    const auto nearest = std::min_element(y.begin(), y.end(), [&](double left, double right) {
+      return std::abs(left - wanted) < std::abs(right - wanted);
+    });
+    io::Curve curve{"y = " + io::rounded(*nearest, 3), {}, {}, io::Style::line};
+    for (auto i = static_cast<std::size_t>(nearest - y.begin()); i < nodes.size(); i += y.size()) {
+      curve.x.push_back(solution.velocity.value()[static_cast<Eigen::Index>(i)]);
+      curve.y.push_back(nodes[i][1]);
+    }
+    panel.curves.push_back(curve);
+  }
+  return panel;
+}
+
 io::Figure figure(const SectionSolution& solution, const flow::CrossSection<2>& space) {
   const SurfaceProfile surface = surface_profile(solution, space);
   io::Panel velocity{"velocity at the surface", "y / d", "u / sqrt(gd)", false, false, {}};
@@ -75,32 +95,9 @@ io::Figure figure(const SectionSolution& solution, const flow::CrossSection<2>& 
   depth.curves = {{"1% of the surface velocity", surface.y, surface.depth_1, io::Style::line},
                   {"5%", surface.y, surface.depth_5, io::Style::line},
                   {"yield criterion", surface.y, surface.depth_yield, io::Style::line}};
-  io::Panel profiles{"velocity below the surface",
-                     "u / sqrt(gd)",
-                     "z / d",
-                     false,
-                     false,
-                     {},
-                     std::nullopt,
-                     "bottom right"};
-  const auto& nodes = space.mesh().nodes;
-  const std::size_t columns = surface.y.size();
-  for (const double share : {0.0, 0.5, 0.8, 0.95}) {
-    const double y = share * solution.section.width / 2;
-    const auto nearest =
-        std::min_element(surface.y.begin(), surface.y.end(),
-                         [&](double a, double b) { return std::abs(a - y) < std::abs(b - y); });
-    const auto column = static_cast<std::size_t>(nearest - surface.y.begin());
-    io::Curve curve{"y = " + io::rounded(*nearest, 3), {}, {}, io::Style::line};
-    for (std::size_t i = column; i < nodes.size(); i += columns) {
-      curve.x.push_back(solution.velocity.value()[static_cast<Eigen::Index>(i)]);
-      curve.y.push_back(nodes[i][1]);
-    }
-    profiles.curves.push_back(curve);
-  }
   return {"section",
           "heap, cross-section at Q* = " + io::rounded(flow_rate(solution, space), 6),
-          {velocity, depth, profiles},
+          {velocity, depth, profiles(solution, space, "velocity below the surface")},
           3};
 }
 
