@@ -10,13 +10,14 @@ heap=$1 source_folder=$2
 check_samples "$heap" "$source_folder/heap_main.cpp" section
 
 # 2. Wrong input.
-for value in 0x5 5x0 7 7x 7x-3 abc 1e9x2; do
-  check refuses --elements "'" -- "$heap" --elements "$value"
+for value in 0x5 5x0 7 7x x 7x-3 abc 1e9x2; do
+  check refuses --elements "'$value'" -- "$heap" --elements "$value"
 done
 check refuses --angle "'2'" 1.57 -- "$heap" --angle 2
 check refuses --flow-rate "'-1'" -- "$heap" --flow-rate -1
 check refuses --angle --flow-rate -- "$heap" --angle 0.4 --flow-rate 10
 check refuses --model "'4d'" section -- "$heap" --model 4d
+check refuses --wall "'ice'" no-slip friction -- "$heap" --wall ice
 check refuses --lambda-r "'0'" -- "$heap" --lambda-r 0
 check refuses --frobnicate -- "$heap" --frobnicate
 check refuses --output -- "$heap" --elements 3x4 --output "$work/file/below"

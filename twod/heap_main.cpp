@@ -4,13 +4,15 @@
 //   heap --elements 18x25 --angle 0.42
 //   heap --elements 14x20 --flow-rate 39.71 --plot
 //   heap --elements 14x20 --method newton --lambda-r 1e-6 --grading-to-wall 2
-//   heap --elements 3x4 --method newton --check-jacobian
+//   heap --elements 14x20 --wall friction
+//   heap --elements 3x4 --method newton --wall friction --check-jacobian
 #include <iostream>
 #include <stdexcept>
 
 #include "common/io/options.hpp"
 #include "common/program/method_options.hpp"
 #include "common/program/summary.hpp"
+#include "twod/flow_rate_search.hpp"
 #include "twod/section_report.hpp"
 
 using namespace talus;
@@ -21,7 +23,7 @@ struct Options {
   twod::Section section;
   twod::SectionMesh mesh;
   program::MethodOptions method;
-  std::string model = "section", elements = "70x100", output = "results/heap";
+  std::string model = "section", wall = "no-slip", elements = "70x100", output = "results/heap";
   double flow_rate = 0;  // 0: the angle is given instead
   bool plot = false, check_jacobian = false;
 };
@@ -30,19 +32,20 @@ struct Options {
 void read_elements(Options& options) {
   const std::string& text = options.elements;
   const std::size_t cross = text.find('x');
-  const auto whole = [&](const std::string& part) {
-    return io::whole_in_range("--elements", part, 1, 2000);
-  };
-  if (cross == std::string::npos)
+  try {
+    if (cross == std::string::npos) throw io::UserError("no x");
+    options.mesh.across = io::whole_in_range("--elements", text.substr(0, cross), 1, 2000);
+    options.mesh.up = io::whole_in_range("--elements", text.substr(cross + 1), 1, 2000);
+  } catch (const io::UserError&) {
     throw io::UserError("--elements: '" + text +
                         "' is not ACROSSxUP, two whole numbers of 1 ... 2000 such as 70x100");
-  options.mesh.across = whole(text.substr(0, cross));
-  options.mesh.up = whole(text.substr(cross + 1));
+  }
 }
 
 nlohmann::json parameters(const Options& options, const flow::ShearOptions& method) {
   nlohmann::json all = {{"width", options.section.width},
                         {"height", options.section.height},
+                        {"wall", options.wall},
                         {"elements", {options.mesh.across, options.mesh.up}},
                         {"grading_to_wall", options.mesh.grading_to_wall},
                         {"grading_to_surface", options.mesh.grading_to_surface},
@@ -59,6 +62,7 @@ int run(Options& options) {
   // 1. The mesh of half the section.
   read_elements(options);
   options.section.law = program::friction_law(options.method);
+  options.section.wall = options.wall == "friction" ? twod::Wall::friction : twod::Wall::no_slip;
   const flow::ShearOptions method = program::shear_options(options.method, twod::default_options());
   flow::CrossSection<2> space = twod::space_of(options.section, options.mesh);
   if (options.check_jacobian)
@@ -82,9 +86,9 @@ int run(Options& options) {
 
   // 3. The solve, at the given angle or at the one that carries the given flow rate.
   const twod::SectionSolution solution =
-      options.flow_rate > 0
-          ? twod::solve_for_flow_rate(options.flow_rate, options.section, space, method)
-          : twod::solve(options.section, space, method);
+      options.flow_rate > 0 ? twod::solve_for_flow_rate(options.flow_rate, options.section,
+                                                        options.mesh, space, method)
+                            : twod::solve(options.section, space, method);
 
   // 4. What came out.
   results.update(twod::summary(solution, space));
@@ -121,6 +125,7 @@ int main(int argc, char** argv) {
   CLI::App app{"Dense granular flow on a heap between side walls", "heap"};
   Options options;
   options.method.method = "interior-point";
+  options.method.tangent = "primal-dual";
   options.method.lambda_r = twod::default_options().lambda_r;
   io::add_choice(app, "--model", options.model, "How much of the scene is modelled", {"section"});
   CLI::Option* angle =
@@ -129,6 +134,9 @@ int main(int argc, char** argv) {
                "Find the angle with this flow rate Q* instead", 1e-6, 1e6)
       ->default_str("")
       ->excludes(angle);
+  io::add_choice(app, "--wall", options.wall,
+                 "Side wall: without slip, or with friction mu_2 p where it slips",
+                 {"no-slip", "friction"});
   app.add_option("--elements", options.elements, "Elements ACROSSxUP of half the section")
       ->capture_default_str();
   io::add_real(app, "--grading-to-wall", options.mesh.grading_to_wall,

@@ -2,10 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_roots.h>
 
 #include "common/fem/line_mesh.hpp"
 
@@ -20,6 +16,50 @@ std::size_t nodes_in_row(const flow::CrossSection<2>& space) {
   return static_cast<std::size_t>(next - nodes.begin());
 }
 
+// Depths, by columns of quadrature points, where |τ| first falls to μs p below the surface.
+struct YieldDepths {
+  std::vector<double> y, depth;
+
+  YieldDepths(const SectionSolution& solution, const flow::CrossSection<2>& space,
+              std::size_t elements_across) {
+    const auto load = load_of(solution.section);
+    const std::size_t elements = space.element_count();
+    const auto per_direction =
+        static_cast<std::size_t>(std::lround(std::sqrt(space.points_per_element())));
+    for (std::size_t column = 0; column < elements_across * per_direction; ++column) {
+      double above = 0, excess_above = 0, found = solution.section.height;
+      for (std::size_t row = elements / elements_across * per_direction; row-- > 0;) {
+        const std::size_t e = row / per_direction * elements_across + column / per_direction;
+        const std::size_t k = *space.points_of(e).begin() + column % per_direction +
+                              row % per_direction * per_direction;
+        const auto& x = space.points()[k].position;
+        const double here = solution.section.height - x[1];
+        const double excess = solution.stress[k] / (load.law.mu_s * load.pressure(x)) - 1;
+        if (excess <= 0) {
+          const double share = excess_above > 0 ? excess_above / (excess_above - excess) : 0;
+          found = above + share * (here - above);
+          break;
+        }
+        above = here;
+        excess_above = excess;
+      }
+      y.push_back(
+          space.points()[*space.points_of(column / per_direction).begin() + column % per_direction]
+              .position[0]);
+      depth.push_back(found);
+    }
+  }
+
+  // Linear between the columns, constant beyond the outer ones.
+  double at(double position) const {
+    const auto after = std::upper_bound(y.begin(), y.end(), position);
+    if (after == y.begin()) return depth.front();
+    if (after == y.end()) return depth.back();
+    const auto i = static_cast<std::size_t>(after - y.begin());
+    return std::lerp(depth[i - 1], depth[i], (position - y[i - 1]) / (y[i] - y[i - 1]));
+  }
+};
+
 }  // namespace
 
 flow::ShearOptions default_options() {
@@ -28,6 +68,10 @@ flow::ShearOptions default_options() {
   options.interior_point.tolerance = 1e-8;
   options.interior_point.path = flow::CentralPath::uniform;
   options.lambda_r = 1e-5;
+  options.tangent_term = flow::TangentTerm::primal_dual;
+  options.continuation = flow::Continuation::always;
+  options.path.factor = 1e-3;
+  options.path.tolerance_on_the_way = 1e-2;
   return options;
 }
 
@@ -35,8 +79,11 @@ flow::CrossSection<2> space_of(const Section& section, const SectionMesh& mesh) 
   const double half = section.width / 2;
   const auto y = fem::graded_line(0, half, mesh.across, mesh.grading_to_wall);
   const auto z = fem::graded_line(0, section.height, mesh.up, mesh.grading_to_surface);
-  return flow::CrossSection<2>(flow::rectangle_mesh(
-      y, z, [=](const Eigen::Vector2d& x) { return x[0] == half || x[1] == 0; }));
+  const bool slips = section.wall == Wall::friction;
+  return flow::CrossSection<2>(
+      flow::rectangle_mesh(
+          y, z, [=](const Eigen::Vector2d& x) { return x[1] == 0 || (x[0] == half && !slips); }),
+      slips ? "right" : "");
 }
 
 flow::ShearLoad<2> load_of(const Section& section) {
@@ -55,8 +102,8 @@ SectionSolution solve(const Section& section, flow::CrossSection<2>& space,
 double flow_rate(const SectionSolution& solution, const flow::CrossSection<2>& space) {
   const auto& mesh = space.mesh();
   double integral = 0;
-  for (std::size_t e = 0, k = 0; e < mesh.elements.size(); ++e)
-    for (std::size_t q = 0; q < space.points_per_element(); ++q, ++k)
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    for (const std::size_t k : space.points_of(e) | std::views::take(space.points_per_element()))
       for (std::size_t a = 0; a < mesh.elements[e].size(); ++a)
         integral += space.points()[k].weight *
                     space.points()[k].values[static_cast<Eigen::Index>(a)] *
@@ -64,69 +111,11 @@ double flow_rate(const SectionSolution& solution, const flow::CrossSection<2>& s
   return 2 * integral / solution.section.width;
 }
 
-SectionSolution solve_for_flow_rate(double target, Section section, flow::CrossSection<2>& space,
-                                    const flow::ShearOptions& options) {
-  constexpr double angle_tolerance = 1e-10;
-  constexpr int most_angles = 60;
-  SectionSolution last;
-  // log Q* is nearly linear in the angle; rest counts as a rate far below every other.
-  const auto excess = [&](double angle) {
-    constexpr double rate_of_rest = 1e-12;
-    section.angle = angle;
-    // A plug does not form again from a faster flow: where the last solution leads nowhere, rest
-    // does.
-    const SectionSolution before = std::move(last);
-    if (!before.shear_rate.empty()) last = solve(section, space, options, &before);
-    if (before.shear_rate.empty() || !solve::is_success(last.end))
-      last = solve(section, space, options);
-    if (!solve::is_success(last.end))
-      throw std::runtime_error(solve::name_of(last.end) + " at an angle of " +
-                               std::to_string(angle) + ": " + solve::advice_for(last.end));
-    return std::log(std::max(flow_rate(last, space), rate_of_rest) / target);
-  };
-  struct Callback {
-    const decltype(excess)* function;
-    std::exception_ptr error;
-  } callback{&excess, nullptr};
-  gsl_function f{[](double angle, void* data) {
-                   auto* self = static_cast<Callback*>(data);
-                   try {
-                     return (*self->function)(angle);
-                   } catch (...) {  // must not cross GSL's frames
-                     self->error = std::current_exception();
-                     return std::nan("");
-                   }
-                 },
-                 &callback};
-  // Flow starts above arctan μs, later than that because of the side walls.
-  double lower = std::atan(section.law.mu_s), upper = lower + 0.02;
-  while (excess(upper) < 0) {
-    lower = upper;
-    upper += 0.02;
-    if (upper > std::atan(section.law.mu_2()))
-      throw std::runtime_error("no angle below arctan mu_2 reaches this flow rate");
-  }
-  gsl_error_handler_t* const previous = gsl_set_error_handler_off();
-  gsl_root_fsolver* solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
-  int status = gsl_root_fsolver_set(solver, &f, lower, upper);
-  for (int i = 0; i < most_angles && status == GSL_SUCCESS; ++i) {
-    status = gsl_root_fsolver_iterate(solver);
-    lower = gsl_root_fsolver_x_lower(solver);
-    upper = gsl_root_fsolver_x_upper(solver);
-    if (gsl_root_test_interval(lower, upper, angle_tolerance, 0) == GSL_SUCCESS) break;
-  }
-  const double angle = gsl_root_fsolver_root(solver);
-  gsl_root_fsolver_free(solver);
-  gsl_set_error_handler(previous);
-  if (callback.error) std::rethrow_exception(callback.error);
-  if (last.section.angle != angle) excess(angle);
-  return last;
-}
-
 SurfaceProfile surface_profile(const SectionSolution& solution,
                                const flow::CrossSection<2>& space) {
   const auto& nodes = space.mesh().nodes;
   const std::size_t columns = nodes_in_row(space), rows = nodes.size() / columns;
+  const YieldDepths yield(solution, space, (columns - 1) / 2);
   SurfaceProfile profile;
   for (std::size_t column = 0; column < columns; ++column) {
     const auto velocity_at = [&](std::size_t row) {
@@ -150,6 +139,7 @@ SurfaceProfile surface_profile(const SectionSolution& solution,
     profile.velocity.push_back(at_surface);
     profile.depth_1.push_back(depth_below(0.01 * at_surface));
     profile.depth_5.push_back(depth_below(0.05 * at_surface));
+    profile.depth_yield.push_back(yield.at(nodes[column][0]));
   }
   return profile;
 }
@@ -159,6 +149,7 @@ double yielded_share(const SectionSolution& solution, const flow::CrossSection<2
   double yielded = 0, all = 0;
   for (std::size_t k = 0; k < space.points().size(); ++k) {
     const auto& point = space.points()[k];
+    if (point.on_wall) continue;
     all += point.weight;
     if (solution.stress[k] > load.law.mu_s * load.pressure(point.position)) yielded += point.weight;
   }

@@ -12,10 +12,14 @@
 
 namespace talus::twod {
 
+/// The side wall: without slip, or relaxed to the wall term μ2 p|u| (flow/wall_law.hpp).
+enum class Wall { no_slip, friction };
+
 struct Section {
   double angle = 0.41;  ///< α, radians
   double width = 140;   ///< W, the whole channel
   double height = 50;   ///< H
+  Wall wall = Wall::no_slip;
   rheology::FrictionLaw law = {};
 };
 
@@ -30,7 +34,7 @@ struct SectionSolution : flow::ShearSolution {
 };
 
 /// What suits the section: the interior point along the uniform path, to a relative gap of 1e-8;
-/// λr = 1e-5 for Newton.
+/// Newton at λr = 1e-5 from a rough solve at 1e-2, and from one every three decades if λr is less.
 flow::ShearOptions default_options();
 
 /// The space of a mesh: it depends on no angle, so that one serves a whole search.
@@ -47,18 +51,14 @@ SectionSolution solve(const Section& section, flow::CrossSection<2>& space,
 /// Q* = (1/W) ∫ u over the whole channel.
 double flow_rate(const SectionSolution& solution, const flow::CrossSection<2>& space);
 
-/// The angle at which Q* takes this value, and the solution there; Brent's method on log Q* (GSL).
-/// Throws std::runtime_error naming the end if a solve on the way fails or the rate is out of
-/// reach.
-SectionSolution solve_for_flow_rate(double flow_rate, Section section, flow::CrossSection<2>& space,
-                                    const flow::ShearOptions& options);
-
 /// What is measured along the free surface, against y.
 struct SurfaceProfile {
   std::vector<double> y, velocity;
   /// Depth of the flowing layer: where the velocity first falls below 1% and 5% of that at the
   /// surface, linear between nodes; H where it never does.
   std::vector<double> depth_1, depth_5;
+  /// By the yield criterion: where |τ| first falls to μs p.
+  std::vector<double> depth_yield;
 };
 SurfaceProfile surface_profile(const SectionSolution& solution, const flow::CrossSection<2>& space);
 

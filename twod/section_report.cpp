@@ -16,16 +16,19 @@ nlohmann::json summary(const SectionSolution& solution, const flow::CrossSection
                     {"surface_velocity", surface.velocity.front()},
                     {"depth_1_percent", surface.depth_1.front()},
                     {"depth_5_percent", surface.depth_5.front()},
+                    {"depth_yield", surface.depth_yield.front()},
+                    {"slip_at_surface", surface.velocity.back()},
                     {"yielded_share", yielded_share(solution, space)}};
   return all;
 }
 
 io::Table surface_table(const SectionSolution& solution, const flow::CrossSection<2>& space) {
   const SurfaceProfile surface = surface_profile(solution, space);
-  io::Table table{"", {"y", "velocity", "depth_1_percent", "depth_5_percent"}, {}};
+  io::Table table{"", {"y", "velocity", "depth_1_percent", "depth_5_percent", "depth_yield"}, {}};
   for (std::size_t i = 0; i < surface.y.size(); ++i)
     table.rows.push_back({io::exact(surface.y[i]), io::exact(surface.velocity[i]),
-                          io::exact(surface.depth_1[i]), io::exact(surface.depth_5[i])});
+                          io::exact(surface.depth_1[i]), io::exact(surface.depth_5[i]),
+                          io::exact(surface.depth_yield[i])});
   return table;
 }
 
@@ -40,7 +43,7 @@ io::QuadraticGrid grid(const SectionSolution& solution, const flow::CrossSection
   const std::size_t per_element = space.points_per_element();
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     double rate_sum = 0, pressure_sum = 0, stress_sum = 0;
-    for (std::size_t k = e * per_element; k < (e + 1) * per_element; ++k) {
+    for (const std::size_t k : space.points_of(e) | std::views::take(per_element)) {
       rate_sum += solution.shear_rate[k];
       pressure_sum += load.pressure(space.points()[k].position);
       stress_sum += solution.stress[k];
@@ -56,39 +59,37 @@ io::QuadraticGrid grid(const SectionSolution& solution, const flow::CrossSection
   return grid;
 }
 
+io::Panel profiles(const SectionSolution& solution, const flow::CrossSection<2>& space,
+                   const std::string& title) {
+  io::Panel panel{title, "u / sqrt(gd)", "z / d", false, false, {}, std::nullopt, "bottom right"};
+  const std::vector<double> y = surface_profile(solution, space).y;
+  const auto& nodes = space.mesh().nodes;
+  for (const double share : {0.0, 0.5, 0.8, 0.95}) {
+    const double wanted = share * solution.section.width / 2;
+    const auto nearest = std::min_element(y.begin(), y.end(), [&](double left, double right) {
+      return std::abs(left - wanted) < std::abs(right - wanted);
+    });
+    io::Curve curve{"y = " + io::rounded(*nearest, 3), {}, {}, io::Style::line};
+    for (auto i = static_cast<std::size_t>(nearest - y.begin()); i < nodes.size(); i += y.size()) {
+      curve.x.push_back(solution.velocity.value()[static_cast<Eigen::Index>(i)]);
+      curve.y.push_back(nodes[i][1]);
+    }
+    panel.curves.push_back(curve);
+  }
+  return panel;
+}
+
 io::Figure figure(const SectionSolution& solution, const flow::CrossSection<2>& space) {
   const SurfaceProfile surface = surface_profile(solution, space);
   io::Panel velocity{"velocity at the surface", "y / d", "u / sqrt(gd)", false, false, {}};
   velocity.curves = {{"", surface.y, surface.velocity, io::Style::line}};
   io::Panel depth{"depth of the flowing layer", "y / d", "depth / d", false, false, {}};
   depth.curves = {{"1% of the surface velocity", surface.y, surface.depth_1, io::Style::line},
-                  {"5%", surface.y, surface.depth_5, io::Style::line}};
-  io::Panel profiles{"velocity below the surface",
-                     "u / sqrt(gd)",
-                     "z / d",
-                     false,
-                     false,
-                     {},
-                     std::nullopt,
-                     "bottom right"};
-  const auto& nodes = space.mesh().nodes;
-  const std::size_t columns = surface.y.size();
-  for (const double share : {0.0, 0.5, 0.8, 0.95}) {
-    const double y = share * solution.section.width / 2;
-    const auto nearest =
-        std::min_element(surface.y.begin(), surface.y.end(),
-                         [&](double a, double b) { return std::abs(a - y) < std::abs(b - y); });
-    const auto column = static_cast<std::size_t>(nearest - surface.y.begin());
-    io::Curve curve{"y = " + io::rounded(*nearest, 3), {}, {}, io::Style::line};
-    for (std::size_t i = column; i < nodes.size(); i += columns) {
-      curve.x.push_back(solution.velocity.value()[static_cast<Eigen::Index>(i)]);
-      curve.y.push_back(nodes[i][1]);
-    }
-    profiles.curves.push_back(curve);
-  }
+                  {"5%", surface.y, surface.depth_5, io::Style::line},
+                  {"yield criterion", surface.y, surface.depth_yield, io::Style::line}};
   return {"section",
           "heap, cross-section at Q* = " + io::rounded(flow_rate(solution, space), 6),
-          {velocity, depth, profiles},
+          {velocity, depth, profiles(solution, space, "velocity below the surface")},
           3};
 }
 

@@ -20,6 +20,10 @@ io::Table surface_table(const SectionSolution& solution, const flow::CrossSectio
 /// (means).
 io::QuadraticGrid grid(const SectionSolution& solution, const flow::CrossSection<2>& space);
 
+/// Velocity over the height at four places across (the paper's Fig. 11).
+io::Panel profiles(const SectionSolution& solution, const flow::CrossSection<2>& space,
+                   const std::string& title);
+
 /// Surface velocity, depths (the paper's Fig. 10) and velocity profiles below the surface (Fig.
 /// 11).
 io::Figure figure(const SectionSolution& solution, const flow::CrossSection<2>& space);

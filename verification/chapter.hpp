@@ -55,6 +55,9 @@ const std::vector<Study>& studies();
 /// The orders study of these scenes: every case they declare, against their exact solutions.
 Chapter orders_of(const std::vector<oned::ShearScene>& scenes, const Context& context);
 
+/// Adds the order of Q* of the heap's section, for every method and both walls.
+void add_section_orders(Chapter& chapter, const Context& context);
+
 Chapter jacobian_study(const Context& context);
 Chapter orders_study(const Context& context);
 Chapter paper_study(const Context& context);

@@ -17,7 +17,7 @@ NamedMethod newton_method(const rheology::Regularisation& regularisation, double
   NamedMethod method{rheology::name_of(regularisation), {}};
   method.options.regularisation = regularisation;
   method.options.lambda_r = lambda_r;
-  method.options.continuation = false;
+  method.options.continuation = flow::Continuation::never;
   return method;
 }
 

@@ -255,6 +255,7 @@ Chapter orders_study(const Context& context) {
                   newton_method(rheology::ChauchatMedale{}, bagnold.lambda_r).options);
   chapter.check("bagnold, graded (exponent 2), 160 elements: L2 error",
                 oned::errors(solution, bagnold).l2, 0.9 * 2.5e-8, 1.1 * 2.5e-8);
+  add_section_orders(chapter, context);
   return chapter;
 }
 

@@ -116,7 +116,7 @@ std::vector<std::pair<NamedMethod, bool>> map_variants(const oned::ShearScene& s
   });
   without("from a Newtonian profile, with the fallback", [&](oned::SolveOptions& o) {
     o.start = newtonian;
-    o.continuation = true;
+    o.continuation = flow::Continuation::on_failure;
   });
   without("frozen viscosity (η' dropped)",
           [](oned::SolveOptions& o) { o.tangent_term = flow::TangentTerm::frozen; });

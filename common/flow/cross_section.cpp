@@ -1,36 +1,91 @@
 #include "common/flow/cross_section.hpp"
 
+#include <cmath>
+
 #include <Eigen/LU>
 
 #include "common/fem/quadrature.hpp"
 
 namespace talus::flow {
 
+namespace {
+
+// The point of a tensor-product rule in as many directions as `point` has, and its weight.
+template <class Vector>
+double tensor_point(const std::vector<fem::QuadraturePoint>& rule, std::size_t index,
+                    Vector& point) {
+  double weight = 1;
+  for (Eigen::Index d = 0; d < point.size(); ++d, index /= rule.size()) {
+    point[d] = rule[index % rule.size()].position;
+    weight *= rule[index % rule.size()].weight;
+  }
+  return weight;
+}
+
+}  // namespace
+
 template <int Dim>
-CrossSection<Dim>::CrossSection(Mesh<Dim> mesh, int points_per_direction)
+CrossSection<Dim>::CrossSection(Mesh<Dim> mesh, const std::string& friction_wall,
+                                int points_per_direction)
     : mesh_(std::move(mesh)),
       skeleton_(mesh_),
       interior_rows_(mesh_.elements.size()),
       interior_pivots_(mesh_.elements.size()) {
   const auto rule = fem::gauss_legendre(points_per_direction);
-  const auto per_direction = rule.size();
-  std::size_t per_element = 1;
-  for (int d = 0; d < Dim; ++d) per_element *= per_direction;
-  for (const auto& element : mesh_.elements) {
-    Eigen::Matrix<double, Dim, nodes_per_element> nodes;
+  for (int d = 0; d < Dim; ++d) points_per_element_ *= rule.size();
+  std::vector<std::vector<int>> wall_sides(element_count());
+  if (!friction_wall.empty())
+    for (const Face& face : mesh_.boundaries.at(friction_wall))
+      wall_sides[face.element].push_back(face.side);
+  for (std::size_t e = 0; e < element_count(); ++e) {
+    NodePositions nodes;
     for (int a = 0; a < nodes_per_element; ++a)
-      nodes.col(a) = mesh_.nodes[static_cast<std::size_t>(element[static_cast<std::size_t>(a)])];
-    for (std::size_t q = 0; q < per_element; ++q) {
+      nodes.col(a) =
+          mesh_.nodes[static_cast<std::size_t>(mesh_.elements[e][static_cast<std::size_t>(a)])];
+    for (std::size_t q = 0; q < points_per_element_; ++q) {
       Vector reference;
-      double weight = 1;
-      for (std::size_t d = 0, index = q; d < Dim; ++d, index /= per_direction) {
-        reference[static_cast<Eigen::Index>(d)] = rule[index % per_direction].position;
-        weight *= rule[index % per_direction].weight;
-      }
+      const double weight = tensor_point(rule, q, reference);
       const fem::QuadraticBasis<Dim> basis(reference);
       const Tangent jacobian = nodes * basis.gradients.transpose();  // dx_i/dξ_j
       points_.push_back({jacobian.inverse().transpose() * basis.gradients, basis.values,
                          nodes * basis.values, weight * jacobian.determinant()});
+    }
+    for (const int side : wall_sides[e]) add_wall_points(nodes, side, points_per_direction);
+    first_point_.push_back(points_.size());
+  }
+}
+
+template <int Dim>
+void CrossSection<Dim>::add_wall_points([[maybe_unused]] const NodePositions& nodes,
+                                        [[maybe_unused]] int side,
+                                        [[maybe_unused]] int points_per_direction) {
+  // On a line a wall is a point, and the skeleton's fluxes have no place for its force.
+  if constexpr (Dim > 1) {
+    const auto rule = fem::gauss_legendre(points_per_direction);
+    for (std::size_t q = 0; q < points_per_element_ / rule.size(); ++q) {
+      Eigen::Matrix<double, Dim - 1, 1> along;
+      const double weight = tensor_point(rule, q, along);
+      Vector reference;
+      Eigen::Matrix<double, Dim, Dim - 1> directions = Eigen::Matrix<double, Dim, Dim - 1>::Zero();
+      for (Eigen::Index d = 0, free = 0; d < Dim; ++d) {
+        if (d == side / 2) {
+          reference[d] = side % 2 ? 1 : -1;
+        } else {
+          directions(d, free) = 1;
+          reference[d] = along[free++];
+        }
+      }
+      const fem::QuadraticBasis<Dim> basis(reference);
+      const Eigen::Matrix<double, Dim, Dim - 1> tangents =
+          nodes * basis.gradients.transpose() * directions;
+      Point point{{},
+                  basis.values,
+                  nodes * basis.values,
+                  weight * std::sqrt((tangents.transpose() * tangents).determinant()),
+                  true};
+      point.gradients.setZero();
+      point.gradients.row(0) = basis.values.transpose();
+      points_.push_back(point);
     }
   }
 }
@@ -38,19 +93,18 @@ CrossSection<Dim>::CrossSection(Mesh<Dim> mesh, int points_per_direction)
 template <int Dim>
 void CrossSection<Dim>::gradients(const solve::CompensatedVector& w, std::vector<Vector>& g) const {
   g.resize(points_.size());
-  for (std::size_t e = 0, k = 0; e < element_count(); ++e) {
-    const LongNodalValues relative = relative_velocities(w, e);
-    for (std::size_t q = 0; q < points_per_element(); ++q, ++k)
-      g[k] = points_[k].gradient(relative);
+  for (std::size_t e = 0; e < element_count(); ++e) {
+    const LocalVelocities local = local_velocities(w, e);
+    for (const std::size_t k : points_of(e)) g[k] = points_[k].gradient(local);
   }
 }
 
 template <int Dim>
 Eigen::VectorXd CrossSection<Dim>::internal_force(std::span<const Vector> stress) const {
   Eigen::VectorXd force = Eigen::VectorXd::Zero(node_count());
-  for (std::size_t e = 0, k = 0; e < element_count(); ++e) {
+  for (std::size_t e = 0; e < element_count(); ++e) {
     NodalValues local = NodalValues::Zero();
-    for (std::size_t q = 0; q < points_per_element(); ++q, ++k)
+    for (const std::size_t k : points_of(e))
       local.noalias() += points_[k].weight * (points_[k].gradients.transpose() * stress[k]);
     for (int a = 0; a < nodes_per_element; ++a)
       force[mesh_.elements[e][static_cast<std::size_t>(a)]] += local[a];
@@ -62,8 +116,8 @@ Eigen::VectorXd CrossSection<Dim>::internal_force(std::span<const Vector> stress
 template <int Dim>
 Eigen::VectorXd CrossSection<Dim>::load(const std::function<double(const Vector&)>& f) const {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(node_count());
-  for (std::size_t e = 0, k = 0; e < element_count(); ++e)
-    for (std::size_t q = 0; q < points_per_element(); ++q, ++k)
+  for (std::size_t e = 0; e < element_count(); ++e)
+    for (const std::size_t k : points_of(e) | std::views::take(points_per_element_))
       for (int a = 0; a < nodes_per_element; ++a)
         load[mesh_.elements[e][static_cast<std::size_t>(a)]] +=
             points_[k].weight * f(points_[k].position) * points_[k].values[a];
@@ -76,9 +130,9 @@ void CrossSection<Dim>::assemble(std::span<const Tangent> tangents) {
   constexpr int n = nodes_per_element;
   tangents_.assign(tangents.begin(), tangents.end());
   skeleton_.set_zero();
-  for (std::size_t e = 0, k = 0; e < element_count(); ++e) {
+  for (std::size_t e = 0; e < element_count(); ++e) {
     Eigen::Matrix<double, n, n> matrix = Eigen::Matrix<double, n, n>::Zero();
-    for (std::size_t q = 0; q < points_per_element(); ++q, ++k) {
+    for (const std::size_t k : points_of(e)) {
       const auto& gradients = points_[k].gradients;
       // Products of this size are faster written out than through Eigen's blocked kernel.
       const Eigen::Matrix<double, Dim, n> flux = (points_[k].weight * tangents[k]) * gradients;
@@ -122,7 +176,8 @@ bool CrossSection<Dim>::solve_once(const Eigen::VectorXd& right_hand_side,
   }
   solution = solve::CompensatedVector(node_count());
   if (!skeleton_.solve(force, solution)) return false;
-  // The row of an interior node sums to zero, so it moves relative to any of its neighbours.
+  // The row of an interior node sums to zero (it is on no wall), so it moves relative to any of its
+  // neighbours.
   for (std::size_t e = 0; e < element_count(); ++e) {
     const auto& nodes = mesh_.elements[e];
     double relative = right_hand_side[nodes[interior]] / interior_pivots_[e];

@@ -14,8 +14,7 @@
 #include <functional>
 #include <vector>
 
-#include "common/flow/cross_section.hpp"
-#include "common/rheology/rheology.hpp"
+#include "common/flow/interior_point_system.hpp"
 #include "common/solve/end.hpp"
 
 namespace talus::flow {
@@ -49,74 +48,25 @@ struct InteriorPointSummary {
   double relative_gap() const { return last_good.relative_gap; }
 };
 
-/// Fields at the quadrature points: t >= |grad u|, its dual z >= |τ|, and the stress τ.
 template <int Dim>
-struct ConeState {
-  using Vector = Eigen::Matrix<double, Dim, 1>;
-  solve::CompensatedVector velocity;
-  std::vector<Vector> gradient;    ///< g = grad u
-  std::vector<double> bound;       ///< t
-  std::vector<double> dual_bound;  ///< z
-  std::vector<Vector> stress;      ///< τ
-};
-
-/// An increment of a ConeState, with the gradient of its velocity part.
-template <int Dim>
-struct ConeStep {
-  using Vector = Eigen::Matrix<double, Dim, 1>;
-  solve::CompensatedVector velocity;
-  std::vector<Vector> gradient;
-  std::vector<double> bound, dual_bound;
-  std::vector<Vector> stress;
-};
-
-/// Residuals of the optimality system: equilibrium (nodes); z = D'(t) and both parts of the cone
-/// product (quadrature points).
-template <int Dim>
-struct ConeResidual {
-  Eigen::VectorXd equilibrium;                           ///< f - Σ w Gᵀτ
-  std::vector<double> law;                               ///< D'(t) - z
-  std::vector<double> product;                           ///< t z - g·τ
-  std::vector<Eigen::Matrix<double, Dim, 1>> alignment;  ///< z g - t τ
-};
-
-template <int Dim>
-class InteriorPoint {
+class InteriorPoint : public InteriorPointSystem<Dim> {
  public:
-  using Space = CrossSection<Dim>;
-  using Vector = typename Space::Vector;
+  using System = InteriorPointSystem<Dim>;
+  using typename System::Space;
+  using typename System::Vector;
 
   /// `space` must outlive the problem; pressure must be positive at the quadrature points.
   InteriorPoint(Space& space, rheology::FrictionLaw law,
                 const std::function<double(const Vector&)>& pressure,
                 const std::function<double(const Vector&)>& body_force);
 
-  /// Strictly inside both cones: no motion, no stress, t the natural shear rate.
-  ConeState<Dim> start() const;
   /// Follows the central path from `state`. Where round-off stops it, `state` is the last good
   /// iterate, and the end is at_round_off_floor only if the computed round-off of the gap says so.
   InteriorPointSummary solve(ConeState<Dim>& state, const InteriorPointOptions& options = {});
 
-  // The pieces, public for the Jacobian check and for students.
-  ConeResidual<Dim> residual(const ConeState<Dim>& state) const;
-  /// Change of the residual to first order in `step`.
-  ConeResidual<Dim> linearised(const ConeState<Dim>& state, const ConeStep<Dim>& step) const;
-  /// Eliminates dt, dz and dτ about `state`, assembles and condenses the system for the velocity.
-  void assemble(const ConeState<Dim>& state);
-  /// The step that takes the linearised residual, about the state last assembled, from `residual`
-  /// to zero; false if the system is singular.
-  bool newton_step(const ConeResidual<Dim>& residual, ConeStep<Dim>& step) const;
-  ConeState<Dim> moved(const ConeState<Dim>& state, double length, const ConeStep<Dim>& step) const;
-
  private:
-  // What is left of one quadrature point when dt, dz and dτ are eliminated.
-  struct Eliminated {
-    double t, slope, pivot;  // slope = D''(t), pivot = K
-    Vector gradient, stress, alpha;
-    typename Space::Tangent tangent;  // A
-  };
+  using System::law_, System::law_at, System::load_, System::pressure_, System::space_;
 
-  Eliminated eliminate(const ConeState<Dim>& state, std::size_t point) const;
   double integral(const std::vector<double>& values) const;
   InteriorPointIteration measure(const ConeState<Dim>& state, const ConeResidual<Dim>& r) const;
   /// Predictor, corrector and step; false if the system is singular.
@@ -124,13 +74,8 @@ class InteriorPoint {
                const InteriorPointOptions& options);
   double predicted_gap(const ConeState<Dim>& state, double length, const ConeStep<Dim>& step) const;
 
-  Space& space_;
-  rheology::FrictionLaw law_;
-  std::vector<double> pressure_;
-  Eigen::VectorXd load_;
   std::vector<double> point_power_;  // μs p c
   double natural_power_ = 0;         // Σ w μs p c: scale of the gap where nothing moves
-  std::vector<Eliminated> eliminated_;
 };
 
 extern template class InteriorPoint<1>;

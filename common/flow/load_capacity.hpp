@@ -23,12 +23,15 @@ double recession(const CrossSection<Dim>& space, const rheology::FrictionLaw& la
   return sum;
 }
 
-/// Whether |τ| <= μs p at every quadrature point; with τ in equilibrium, a certificate of rest.
+/// Whether |τ| <= μs p at every quadrature point, <= μ2 p on a wall; with τ in equilibrium, a
+/// certificate of rest.
 template <int Dim>
-bool is_within_yield(const rheology::FrictionLaw& law, std::span<const double> pressure,
+bool is_within_yield(const CrossSection<Dim>& space, const rheology::FrictionLaw& law,
+                     std::span<const double> pressure,
                      std::span<const Eigen::Matrix<double, Dim, 1>> stress) {
   for (std::size_t k = 0; k < pressure.size(); ++k)
-    if (stress[k].norm() > law.mu_s * pressure[k]) return false;
+    if (stress[k].norm() > (space.points()[k].on_wall ? law.mu_2() : law.mu_s) * pressure[k])
+      return false;
   return true;
 }
 

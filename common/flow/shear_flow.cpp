@@ -1,8 +1,10 @@
 #include "common/flow/shear_flow.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "common/flow/load_capacity.hpp"
+#include "common/flow/wall_law.hpp"
 
 namespace talus::flow {
 
@@ -13,7 +15,8 @@ ShearFlow<Dim>::ShearFlow(Space& space, rheology::Rheology rheology,
     : space_(space),
       rheology_(std::move(rheology)),
       load_(space.load(body_force)),
-      tangents_(space.points().size()) {
+      tangents_(space.points().size()),
+      stress_(space.points().size()) {
   for (const auto& point : space.points())
     total_pressure_.push_back(total_pressure(point.position));
   set_lambda_r(rheology_.lambda_r);
@@ -34,37 +37,59 @@ const solve::Residual& ShearFlow<Dim>::evaluate(const State& w) {
 }
 
 template <int Dim>
+auto ShearFlow<Dim>::tangent(const rheology::Viscosity& v, const Vector& g, std::size_t k) const ->
+    typename Space::Tangent {
+  const typename Space::Tangent isotropic = v.eta * Space::Tangent::Identity();
+  const double shear_rate = g.norm();
+  if (shear_rate == 0 || tangent_term_ == TangentTerm::frozen) return isotropic;
+  const double slope = v.d_eta_d_shear_rate / shear_rate;
+  if (tangent_term_ == TangentTerm::wrong_sign) return isotropic - slope * (g * g.transpose());
+  if (tangent_term_ == TangentTerm::full || carried_stress_.empty())
+    return isotropic + slope * (g * g.transpose());
+  // τ is cut to where the tangent stays positive definite, |τ| < σ/(1 - x), σ = η|g|,
+  // x = d ln σ/d ln|g|: at σ(1 + x/2).
+  const double stress = v.eta * shear_rate, size = carried_stress_[k].norm();
+  const double x = 1 + v.d_eta_d_shear_rate * shear_rate / v.eta, limit = stress * (1 + 0.5 * x);
+  const Vector carried = carried_stress_[k] * ((size > limit ? limit / size : 1) / v.eta);
+  return isotropic + 0.5 * slope * (g * carried.transpose() + carried * g.transpose());
+}
+
+template <int Dim>
 template <class Regularisation>
 void ShearFlow<Dim>::evaluate_with(const Regularisation& regularisation, const State& w) {
   using Values = typename Space::NodalValues;
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   constexpr long double extended_epsilon = std::numeric_limits<long double>::epsilon();
   constexpr double operations = 4;  // roundings that reach a contribution, beyond the gradient's
-  const double sign = tangent_term_ == TangentTerm::full     ? 1
-                      : tangent_term_ == TangentTerm::frozen ? 0
-                                                             : -1;
+  const rheology::FrictionLaw wall = wall_law(rheology_.law);
+  // The wall slips by Coulomb's law, also where the law inside has no yield stress.
+  const auto of_wall = [&] {
+    if constexpr (Regularisation::has_yield_stress)
+      return regularisation;
+    else
+      return rheology::ChauchatMedale{};
+  }();
   residual_.value = -load_;
   residual_.magnitude = load_.cwiseAbs();
   residual_.round_off = epsilon * residual_.magnitude;
-  const std::size_t per_element = space_.points_per_element();
-  for (std::size_t e = 0, k = 0; e < space_.element_count(); ++e) {
+  for (std::size_t e = 0; e < space_.element_count(); ++e) {
     const auto& nodes = space_.mesh().elements[e];
-    const typename Space::LongNodalValues relative = space_.relative_velocities(w, e);
+    const typename Space::LocalVelocities local = space_.local_velocities(w, e);
     Values uncertainty;  // of the relative velocities
     for (int a = 0; a < Space::nodes_per_element; ++a)
       uncertainty[a] = w.resolution() * std::abs(w.value()[nodes[static_cast<std::size_t>(a)]]) +
-                       static_cast<double>(extended_epsilon * std::abs(relative[a]));
+                       static_cast<double>(extended_epsilon * std::abs(local.relative[a]));
     Values force = Values::Zero(), magnitude = Values::Zero(), round_off = Values::Zero();
-    for (std::size_t q = 0; q < per_element; ++q, ++k) {
+    for (const std::size_t k : space_.points_of(e)) {
       const auto& point = space_.points()[k];
-      const Vector g = point.gradient(relative);
-      const double shear_rate = g.norm();
-      const rheology::Viscosity v = regularisation.evaluate(rheology_.law, rheology_.lambda_r,
-                                                            shear_rate, regularised_pressure_[k]);
-      const Vector stress = v.eta * g;
-      tangents_[k] = v.eta * Space::Tangent::Identity();
-      if (shear_rate > 0)
-        tangents_[k] += (sign * v.d_eta_d_shear_rate / shear_rate) * (g * g.transpose());
+      const Vector g = point.gradient(local);
+      const rheology::Viscosity v =
+          point.on_wall
+              ? of_wall.evaluate(wall, rheology_.lambda_r, g.norm(), regularised_pressure_[k])
+              : regularisation.evaluate(rheology_.law, rheology_.lambda_r, g.norm(),
+                                        regularised_pressure_[k]);
+      const Vector& stress = stress_[k] = v.eta * g;
+      tangents_[k] = tangent(v, g, k);
       const Vector stress_size = stress.cwiseAbs();
       const Vector stress_round_off =
           operations * epsilon * stress_size +
@@ -87,7 +112,13 @@ void ShearFlow<Dim>::evaluate_with(const Regularisation& regularisation, const S
 template <int Dim>
 bool ShearFlow<Dim>::linear_solve(const Eigen::VectorXd& right_hand_side, State& x) {
   space_.assemble(tangents_);
-  return space_.solve(right_hand_side, x);
+  if (!space_.solve(right_hand_side, x)) return false;
+  if (tangent_term_ == TangentTerm::primal_dual) {
+    space_.gradients(x, carried_stress_);
+    for (std::size_t k = 0; k < stress_.size(); ++k)
+      carried_stress_[k] = stress_[k] + tangents_[k] * carried_stress_[k];
+  }
+  return true;
 }
 
 template <int Dim>

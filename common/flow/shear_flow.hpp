@@ -1,7 +1,8 @@
 // Regularised unidirectional flow as a problem for Newton.
 //
 // Find w minimising ∫ D(|grad w|, p) - f w, D = ∫₀^|γ| η s ds: a convex energy whose gradient is
-// the residual R = ∫ η grad w · grad v - ∫ f v. Pressure is known, so it only enters as data.
+// the residual R = ∫ η grad w · grad v - ∫ f v. Pressure is known, so it only enters as data. On a
+// wall with friction the slip stands for the gradient, with the law of flow::wall_law.
 #pragma once
 
 #include <functional>
@@ -13,9 +14,14 @@
 
 namespace talus::flow {
 
-/// The term η'(|γ|) of the tangent: kept, dropped (frozen viscosity: Picard), or with the wrong
-/// sign. Only `full` is Newton; the others exist to be looked at.
-enum class TangentTerm { full, frozen, wrong_sign };
+/// The term η'(|γ|) of the tangent: in its primal-dual form, as it is, dropped (frozen viscosity:
+/// Picard), or with the wrong sign. The last two exist to be looked at.
+///
+/// Primal-dual (Chan, Golub & Mulet 1999): Newton on τ/η(|g|) = g for the velocity and a carried
+/// stress τ together, instead of on τ = η(|g|) g. The first is nearly linear in g where the second
+/// saturates. τ is what the last step predicted, so in equilibrium with the load; eliminated, it
+/// leaves the usual residual and the tangent η 1 + η'/|g| sym(g ⊗ τ/η).
+enum class TangentTerm { primal_dual, full, frozen, wrong_sign };
 
 template <int Dim>
 class ShearFlow {
@@ -42,10 +48,14 @@ class ShearFlow {
   bool exceeds_capacity(const State& w) const;
   /// K x, uncondensed: what the Jacobian check compares with differences of the residual.
   Eigen::VectorXd tangent_product(const State& x) const { return space_.product(tangents_, x); }
+  /// η grad w at every quadrature point, at the state last evaluated.
+  const std::vector<Vector>& stress() const { return stress_; }
 
  private:
   template <class Regularisation>
   void evaluate_with(const Regularisation& regularisation, const State& w);
+  typename Space::Tangent tangent(const rheology::Viscosity& v, const Vector& g,
+                                  std::size_t point) const;
 
   Space& space_;
   rheology::Rheology rheology_;
@@ -53,6 +63,8 @@ class ShearFlow {
   std::vector<double> total_pressure_, regularised_pressure_;
   Eigen::VectorXd load_;
   std::vector<typename Space::Tangent> tangents_;
+  std::vector<Vector> stress_;
+  std::vector<Vector> carried_stress_;  // τ; none before the first step
   solve::Residual residual_;
 };
 

@@ -208,6 +208,26 @@ BOOST_AUTO_TEST_CASE(the_tangent_is_the_derivative_of_the_residual_for_every_law
     }
 }
 
+// Both solve the same equation; only the way there differs.
+BOOST_AUTO_TEST_CASE(the_primal_dual_form_finds_the_flow_that_newton_s_own_tangent_finds) {
+  for (const auto& regularisation : rheology::regularisations())
+    for (Layer& layer : std::vector{chute_layer(28, 20), plane_layer(0.406, 20)}) {
+      std::vector<CompensatedVector> flows;
+      std::vector<int> iterations;
+      for (const TangentTerm term : {TangentTerm::full, TangentTerm::primal_dual}) {
+        ShearFlow<1> problem = layer.regularised(regularisation, 1e-6);
+        problem.set_tangent_term(term);
+        flows.emplace_back(layer.space.node_count());
+        const solve::NewtonSummary summary = solve::newton(problem, flows.back());
+        BOOST_TEST(solve::is_success(summary.end));
+        iterations.push_back(summary.iterations());
+      }
+      BOOST_TEST((flows[0].value() - flows[1].value()).lpNorm<Eigen::Infinity>() <
+                 1e-9 * flows[0].value().lpNorm<Eigen::Infinity>());
+      BOOST_TEST(iterations[1] <= iterations[0] + 3, rheology::name_of(regularisation));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_tangent_without_the_derivative_of_the_viscosity_is_caught) {
   for (const auto& regularisation : rheology::regularisations())
     for (const TangentTerm term : {TangentTerm::frozen, TangentTerm::wrong_sign}) {

@@ -15,19 +15,22 @@ void solve_by_newton(CrossSection<Dim>& space, const ShearLoad<Dim>& load,
   ShearFlow<Dim> problem = regularised_problem(space, load, options);
   solution.velocity =
       start ? *start : solve::CompensatedVector(space.node_count(), options.precision);
-  if (options.continuation)
-    solution.newton = solve::newton_with_continuation(problem, solution.velocity, options.newton);
+  if (options.continuation == Continuation::always && !start)
+    solution.newton =
+        solve::newton_along_path(problem, solution.velocity, options.newton, options.path);
+  else if (options.continuation != Continuation::never)
+    solution.newton =
+        solve::newton_with_continuation(problem, solution.velocity, options.newton, options.path);
   else
     solution.newton.newton =
         solve::newton(problem, solution.velocity, options.newton, options.observe);
   solution.end = solution.newton.newton.end;
   std::vector<typename CrossSection<Dim>::Vector> gradients;
   space.gradients(solution.velocity, gradients);
+  problem.evaluate(solution.velocity);
   for (std::size_t k = 0; k < gradients.size(); ++k) {
-    const double shear_rate = gradients[k].norm();
-    const double pressure = load.pressure(space.points()[k].position);
-    solution.shear_rate.push_back(shear_rate);
-    solution.stress.push_back(problem.rheology().evaluate(shear_rate, pressure).eta * shear_rate);
+    solution.shear_rate.push_back(gradients[k].norm());
+    solution.stress.push_back(problem.stress()[k].norm());
   }
 }
 
@@ -50,7 +53,7 @@ std::vector<NamedCheck> check_newton(CrossSection<Dim>& space, const ShearLoad<D
                                      const ShearOptions& options) {
   // A right tangent finds the states, whichever is checked.
   ShearOptions right = options;
-  right.tangent_term = TangentTerm::full;
+  if (options.tangent_term != TangentTerm::primal_dual) right.tangent_term = TangentTerm::full;
   const ShearSolution solution = solve_shear(space, load, right);
   ShearFlow<Dim> problem = regularised_problem(space, load, options);
   const double scale = std::max(1e-3, solution.velocity.value().template lpNorm<Eigen::Infinity>());

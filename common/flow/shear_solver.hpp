@@ -15,12 +15,17 @@ namespace talus::flow {
 
 enum class Method { newton, interior_point };
 
+/// When Newton comes down from a larger λr: never, where it fails at the target, or always from
+/// rest.
+enum class Continuation { never, on_failure, always };
+
 struct ShearOptions {
   Method method = Method::newton;
   rheology::Regularisation regularisation = rheology::ChauchatMedale{};
   double lambda_r = 1e-6;
   solve::NewtonOptions newton;
-  bool continuation = true;  ///< fall back to continuation in λr when Newton fails
+  Continuation continuation = Continuation::on_failure;
+  solve::ContinuationOptions path;
   solve::Precision precision = solve::Precision::compensated;
   TangentTerm tangent_term = TangentTerm::full;
   InteriorPointOptions interior_point;

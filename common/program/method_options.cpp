@@ -31,9 +31,11 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
                  "Of Newton's iterate: double, or double with its rounding kept",
                  {"compensated", "plain"});
   io::add_choice(app, "--line-search", options.line_search, "Of Newton", {"energy-slope", "none"});
-  io::add_choice(app, "--tangent", options.tangent,
-                 "Derivative of the viscosity in the tangent: kept, dropped, or broken",
-                 {"full", "frozen", "wrong-sign"});
+  io::add_choice(
+      app, "--tangent", options.tangent,
+      "Derivative of the viscosity in the tangent: in primal-dual form, plain, dropped, or "
+      "broken",
+      {"primal-dual", "full", "frozen", "wrong-sign"});
   io::add_real(app, "--tolerance", options.tolerance,
                "Relative residual (default 1e-12) or duality gap (default 1e-10)", 1e-16, 0.1)
       ->default_str("");
@@ -41,7 +43,7 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
                   "Of Newton (default 200) or of the interior point (default 100)", 1, 100000)
       ->default_str("");
   app.add_flag("--no-continuation", options.no_continuation,
-               "Do not fall back to continuation in lambda_r when Newton fails");
+               "Newton at lambda_r directly and only: no way down from a larger one");
 }
 
 flow::ShearOptions shear_options(const MethodOptions& options, flow::ShearOptions defaults) {
@@ -49,14 +51,15 @@ flow::ShearOptions shear_options(const MethodOptions& options, flow::ShearOption
   result.method = options.method == "newton" ? flow::Method::newton : flow::Method::interior_point;
   result.regularisation = *rheology::regularisation_named(options.regularisation);
   result.lambda_r = options.lambda_r;
-  result.continuation = !options.no_continuation;
+  if (options.no_continuation) result.continuation = flow::Continuation::never;
   result.precision =
       options.precision == "plain" ? solve::Precision::plain : solve::Precision::compensated;
   result.newton.line_search =
       options.line_search == "none" ? solve::LineSearch::none : solve::LineSearch::energy_slope;
-  result.tangent_term = options.tangent == "full"     ? flow::TangentTerm::full
-                        : options.tangent == "frozen" ? flow::TangentTerm::frozen
-                                                      : flow::TangentTerm::wrong_sign;
+  result.tangent_term = options.tangent == "primal-dual" ? flow::TangentTerm::primal_dual
+                        : options.tangent == "full"      ? flow::TangentTerm::full
+                        : options.tangent == "frozen"    ? flow::TangentTerm::frozen
+                                                         : flow::TangentTerm::wrong_sign;
   if (options.tolerance > 0)
     result.newton.tolerance = result.interior_point.tolerance = options.tolerance;
   if (options.max_iterations > 0)

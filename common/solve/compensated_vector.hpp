@@ -40,6 +40,11 @@ class CompensatedVector {
   const Eigen::VectorXd& correction() const { return correction_; }
   Precision precision() const { return precision_; }
 
+  /// (this)_i to extended precision.
+  long double long_value(Eigen::Index i) const {
+    return static_cast<long double>(value_[i]) + correction_[i];
+  }
+
   /// (this)_i - (this)_j; exact but for one rounding where the two agree in leading digits.
   long double difference(Eigen::Index i, Eigen::Index j) const {
     return (static_cast<long double>(value_[i]) - value_[j]) +

@@ -1,5 +1,5 @@
-// Continuation in the regularisation parameter: the fallback when Newton fails from where it
-// starts.
+// Continuation in the regularisation parameter: a way down from a smooth law, or the fallback when
+// Newton fails from where it starts.
 #pragma once
 
 #include <vector>
@@ -11,6 +11,7 @@ namespace talus::solve {
 struct ContinuationOptions {
   double first = 1e-2;              ///< largest λr, solved first
   double factor = 0.1;              ///< of one step in λr; its logarithm is halved on a failure
+  double tolerance_on_the_way = 0;  ///< of the solves above the target; 0: the same as there
   double smallest_log_step = 1e-3;  ///< |Δ ln λr| below which the path is given up
   int max_solves = 100;
 };
@@ -34,25 +35,22 @@ struct ContinuationSummary {
   }
 };
 
-/// Solves at the problem's own λr; if that fails, again from λr = `first` downwards in adaptive
-/// steps. On a failure `state` is the last accepted one and the problem is left at the target λr.
+/// Solves at the problem's own λr by way of λr = `first` downwards in adaptive steps. On a failure
+/// `state` is the last accepted one; the problem is left at the target λr.
 template <NewtonProblem P>
-ContinuationSummary newton_with_continuation(P& problem, typename P::State& state,
-                                             const NewtonOptions& newton_options = {},
-                                             const ContinuationOptions& options = {}) {
+ContinuationSummary newton_along_path(P& problem, typename P::State& state,
+                                      const NewtonOptions& newton_options = {},
+                                      const ContinuationOptions& options = {}) {
   const double target = problem.rheology().lambda_r;
-  const typename P::State start = state;
-  ContinuationSummary summary{newton(problem, state, newton_options), {}};
-  if (is_success(summary.newton.end) || target >= options.first) return summary;
-  summary.path.push_back({target, summary.newton.end, summary.newton.iterations()});
-
-  state = start;
-  typename P::State accepted = start;
-  double lambda_r = options.first, accepted_lambda_r = 0;  // 0: nothing accepted yet
+  NewtonOptions on_the_way = newton_options;
+  if (options.tolerance_on_the_way > 0) on_the_way.tolerance = options.tolerance_on_the_way;
+  ContinuationSummary summary;
+  typename P::State accepted = state;
+  double lambda_r = std::max(options.first, target), accepted_lambda_r = 0;  // 0: nothing yet
   double log_step = -std::log(options.factor);
   for (int solves = 0; solves < options.max_solves; ++solves) {
     problem.set_lambda_r(lambda_r);
-    summary.newton = newton(problem, state, newton_options);
+    summary.newton = newton(problem, state, lambda_r == target ? newton_options : on_the_way);
     summary.path.push_back({lambda_r, summary.newton.end, summary.newton.iterations()});
     if (is_success(summary.newton.end)) {
       accepted = state;
@@ -63,11 +61,28 @@ ContinuationSummary newton_with_continuation(P& problem, typename P::State& stat
       log_step *= 0.5;
       if (accepted_lambda_r == 0 || log_step < options.smallest_log_step) break;
     }
-    lambda_r = std::max(target, accepted_lambda_r * std::exp(-log_step));
+    lambda_r = accepted_lambda_r * std::exp(-log_step);
+    if (lambda_r < 1.001 * target) lambda_r = target;
   }
   state = accepted;
   problem.set_lambda_r(target);
   if (is_success(summary.newton.end)) summary.newton.end = End::stagnated;  // ran out of solves
+  return summary;
+}
+
+/// Solves at the problem's own λr; if that fails, again along the path from λr = `first`.
+template <NewtonProblem P>
+ContinuationSummary newton_with_continuation(P& problem, typename P::State& state,
+                                             const NewtonOptions& newton_options = {},
+                                             const ContinuationOptions& options = {}) {
+  const double target = problem.rheology().lambda_r;
+  const typename P::State start = state;
+  ContinuationSummary direct{newton(problem, state, newton_options), {}};
+  if (is_success(direct.newton.end) || target >= options.first) return direct;
+  state = start;
+  ContinuationSummary summary = newton_along_path(problem, state, newton_options, options);
+  summary.path.insert(summary.path.begin(),
+                      {target, direct.newton.end, direct.newton.iterations()});
   return summary;
 }
 

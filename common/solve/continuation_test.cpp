@@ -86,6 +86,25 @@ BOOST_AUTO_TEST_CASE(a_failed_direct_solve_falls_back_and_reports_its_path) {
   BOOST_TEST(summary.total_iterations() == iterations + summary.path.front().iterations);
 }
 
+BOOST_AUTO_TEST_CASE(a_path_need_not_be_followed_closely_to_end_at_the_same_point) {
+  constexpr double target = 1e-5;
+  int tight_iterations = 0;
+  for (const double tolerance_on_the_way : {0., 1e-2}) {
+    RegularisedFriction problem(target);
+    CompensatedVector state(1);
+    const ContinuationSummary summary = newton_along_path(
+        problem, state, full_steps, {.first = 10, .tolerance_on_the_way = tolerance_on_the_way});
+    BOOST_CHECK(summary.newton.end == End::converged);
+    BOOST_TEST(state.value()[0] == problem.solution(), tolerance(1e-10));
+    BOOST_TEST(summary.path.front().lambda_r == 10);
+    BOOST_TEST(summary.path.back().lambda_r == target);
+    if (tolerance_on_the_way == 0)
+      tight_iterations = summary.total_iterations();
+    else
+      BOOST_TEST(summary.total_iterations() < tight_iterations);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_path_that_breaks_ends_honestly_at_the_last_state_it_reached) {
   constexpr double target = 1e-5;
   RegularisedFriction problem(target);

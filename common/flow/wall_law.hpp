@@ -1,0 +1,20 @@
+// Friction between the material and a rough wall that it may slip along.
+//
+// The dissipation of shear grows linearly, with slope μ2 p, so a layer of vanishing thickness at a
+// no-slip wall carries any jump u of the velocity at the cost μ2 p|u|. The minimum of the energy
+// may have such a jump: no slip is then attained by no velocity, and relaxed to the wall term ∫ μ2
+// p|u|. It lets the material slip exactly where the wall stress reaches μ2 p.
+#pragma once
+
+#include "common/rheology/friction_law.hpp"
+
+namespace talus::flow {
+
+/// The law of the slip u over the unit of length: D(u, p) = μ2 p u. Regularised like shear.
+inline rheology::FrictionLaw wall_law(rheology::FrictionLaw law) {
+  law.mu_s = law.mu_2();
+  law.delta_mu = 0;
+  return law;
+}
+
+}  // namespace talus::flow
