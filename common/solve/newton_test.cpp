@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(a_slope_below_its_own_rounding_is_the_floor_too) {
     Residual rounded;
     const Residual& evaluate(const State& state) {
       rounded = ConvexProblem::evaluate(state);
-      rounded.round_off = Eigen::Vector2d(0, 10);
+      rounded.round_off << 0, 10;
       return rounded;
     }
   };
