@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "common/flow/jacobian_problems.hpp"
-#include "verification/chapter.hpp"
+#include "verification/dense_parts.hpp"
 #include "verification/methods.hpp"
 
 namespace talus::verification {
@@ -158,6 +158,7 @@ Chapter jacobian_study(const Context& context) {
       "curvature; entries are compared with central differences as well.");
   check_the_law(chapter);
   check_the_scenes(chapter, context);
+  check_dense_tangents(chapter);
   return chapter;
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "verification/chapter.hpp"
+#include "verification/dense_parts.hpp"
 #include "verification/fit.hpp"
 #include "verification/methods.hpp"
 
@@ -255,6 +256,7 @@ Chapter orders_study(const Context& context) {
                   newton_method(rheology::ChauchatMedale{}, bagnold.lambda_r).options);
   chapter.check("bagnold, graded (exponent 2), 160 elements: L2 error",
                 oned::errors(solution, bagnold).l2, 0.9 * 2.5e-8, 1.1 * 2.5e-8);
+  manufactured_orders(chapter, context);
   return chapter;
 }
 
