@@ -64,5 +64,6 @@ Chapter paper_study(const Context& context);
 Chapter cost_study(const Context& context);
 Chapter stability_study(const Context& context);
 Chapter heap_study(const Context& context);
+Chapter ladder_study(const Context& context);
 
 }  // namespace talus::verification

@@ -5,6 +5,7 @@
 #include "common/flow/jacobian_problems.hpp"
 #include "twod/section.hpp"
 #include "verification/chapter.hpp"
+#include "verification/dense_parts.hpp"
 #include "verification/methods.hpp"
 
 namespace talus::verification {
@@ -185,6 +186,7 @@ Chapter jacobian_study(const Context& context) {
       "curvature; entries are compared with central differences as well.");
   check_the_law(chapter);
   check_the_scenes(chapter, context);
+  check_dense_tangents(chapter);
   return chapter;
 }
 

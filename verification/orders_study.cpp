@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "verification/chapter.hpp"
+#include "verification/dense_parts.hpp"
 #include "verification/fit.hpp"
 #include "verification/methods.hpp"
 
@@ -256,6 +257,7 @@ Chapter orders_study(const Context& context) {
   chapter.check("bagnold, graded (exponent 2), 160 elements: L2 error",
                 oned::errors(solution, bagnold).l2, 0.9 * 2.5e-8, 1.1 * 2.5e-8);
   add_section_orders(chapter, context);
+  manufactured_orders(chapter, context);
   return chapter;
 }
 

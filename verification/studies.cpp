@@ -9,7 +9,9 @@ const std::vector<Study>& studies() {
       {"paper", "Which figures of the paper do we reproduce, and which not?", paper_study},
       {"cost", "What is the cheapest way to a given error?", cost_study},
       {"stability", "Where do the methods fail, and do they say so?", stability_study},
-      {"heap", "What does the heap's cross-section owe to its mesh, and what to λr?", heap_study}};
+      {"heap", "What does the heap's cross-section owe to its mesh, and what to λr?", heap_study},
+      {"ladder", "Does the richer model agree with the poorer, and what does it cost?",
+       ladder_study}};
   return all;
 }
 

@@ -60,6 +60,10 @@ BOOST_AUTO_TEST_CASE(the_orders_of_all_scenes_hold) {
   BOOST_TEST(failures(verification::orders_study({})) == 0);
 }
 
+BOOST_AUTO_TEST_CASE(the_rungs_of_the_ladder_agree) {
+  BOOST_TEST(failures(verification::ladder_study({})) == 0);
+}
+
 // Negative controls of the orders study: each breaks one thing it rests on.
 BOOST_AUTO_TEST_CASE(a_wrong_exact_solution_destroys_the_orders) {
   for (oned::ShearScene scene : oned::scenes()) {

@@ -1,6 +1,7 @@
 // Newton's method with an optional line search on the slope of the energy.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <functional>
@@ -30,15 +31,13 @@ struct Residual {
 
  private:
   double relative(const Eigen::VectorXd& v) const {
+    if (v.hasNaN()) return std::numeric_limits<double>::quiet_NaN();  // maxima would lose it
     double worst = 0;
     Eigen::Index start = 0;
     const auto block = [&](Eigen::Index end) {
       const double scale = magnitude.segment(start, end - start).lpNorm<Eigen::Infinity>();
       const double size = v.segment(start, end - start).lpNorm<Eigen::Infinity>();
-      // Not std::max: a NaN must come through.
-      if (const double ratio = size / std::max(scale, std::numeric_limits<double>::min());
-          !(ratio <= worst))
-        worst = ratio;
+      worst = std::max(worst, size / std::max(scale, std::numeric_limits<double>::min()));
       start = end;
     };
     for (const Eigen::Index end : block_ends) block(end);

@@ -51,6 +51,7 @@ ConvexProblem logarithm() {
 }
 
 constexpr NewtonOptions full_steps{.line_search = LineSearch::none};
+constexpr NewtonOptions by_residual{.line_search = LineSearch::residual_norm};
 
 }  // namespace
 
@@ -95,11 +96,13 @@ BOOST_AUTO_TEST_CASE(converged_means_the_solution) {
 BOOST_AUTO_TEST_CASE(the_floor_ends_the_solve_where_rounding_hides_the_residual) {
   ConvexProblem problem = quartic(2);
   problem.unit_round_off = 1e-6;
-  CompensatedVector state = at(1.5);
-  const NewtonSummary summary = newton(problem, state);
-  BOOST_CHECK(summary.end == End::at_round_off_floor);
-  BOOST_TEST(summary.final_residual() <= summary.round_off_floor());
-  BOOST_TEST(summary.final_residual() > 1e-12);  // else the tolerance would have ended it
+  for (const NewtonOptions& options : {NewtonOptions{}, by_residual}) {
+    CompensatedVector state = at(1.5);
+    const NewtonSummary summary = newton(problem, state, options);
+    BOOST_CHECK(summary.end == End::at_round_off_floor);
+    BOOST_TEST(summary.final_residual() <= summary.round_off_floor());
+    BOOST_TEST(summary.final_residual() > 1e-12);  // else the tolerance would have ended it
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_slope_below_its_own_rounding_is_the_floor_too) {
@@ -108,7 +111,7 @@ BOOST_AUTO_TEST_CASE(a_slope_below_its_own_rounding_is_the_floor_too) {
     Residual rounded;
     const Residual& evaluate(const State& state) {
       rounded = ConvexProblem::evaluate(state);
-      rounded.round_off = Eigen::Vector2d(0, 10);
+      rounded.round_off << 0, 10;
       return rounded;
     }
   };
@@ -157,11 +160,13 @@ BOOST_AUTO_TEST_CASE(an_ascent_direction_fails_the_line_search_and_keeps_the_sta
   ConvexProblem problem = log_cosh();
   problem.tangent_factor = -1;
   const Eigen::Vector3d start(0.1, 0.2, 0.3);
-  CompensatedVector state = at(start);
-  const NewtonSummary summary = newton(problem, state);
-  BOOST_CHECK(summary.end == End::line_search_failed);
-  BOOST_TEST(summary.iterations() == 0);
-  BOOST_TEST((state.value() == start));
+  for (const NewtonOptions& options : {NewtonOptions{}, by_residual}) {
+    CompensatedVector state = at(start);
+    const NewtonSummary summary = newton(problem, state, options);
+    BOOST_CHECK(summary.end == End::line_search_failed);
+    BOOST_TEST(summary.iterations() == 0);
+    BOOST_TEST((state.value() == start));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_singular_tangent_fails_the_linear_solver_and_keeps_the_state) {
@@ -234,6 +239,54 @@ BOOST_AUTO_TEST_CASE(the_search_gives_up_without_a_descent_or_a_minimum) {
   BOOST_TEST(search_energy_slope(0, rising).step == 0);
   BOOST_TEST(search_energy_slope(std::nan(""), rising).step == 0);
   BOOST_TEST(search_energy_slope(-1, rising).step == 0);  // no energy has this slope
+}
+
+BOOST_AUTO_TEST_CASE(halving_the_step_until_the_residual_falls_converges_where_full_steps_do_not) {
+  ConvexProblem problem = arctangent();
+  CompensatedVector state = at(30);
+  const NewtonSummary summary = newton(problem, state, by_residual);
+  BOOST_TEST(is_success(summary.end));
+  BOOST_TEST(state.value()[0] == std::tan(0.5), tolerance(1e-11));
+  for (std::size_t i = 1; i < summary.history.size(); ++i)
+    BOOST_TEST(summary.history[i].residual < summary.history[i - 1].residual);
+  BOOST_TEST(summary.history.front().step == std::exp2(1 - summary.history.front().evaluations));
+}
+
+BOOST_AUTO_TEST_CASE(the_search_on_the_norm_halves_and_asks_for_a_decrease) {
+  const LineSearchResult found =
+      search_residual_norm(1, [](double t) { return t > 0.3 ? 2. : 0.5; });
+  BOOST_TEST(found.step == 0.25);
+  BOOST_TEST(found.evaluations == 3);
+  BOOST_TEST(search_residual_norm(1, [](double) { return 0.9; }).step == 1);
+  BOOST_TEST(search_residual_norm(1, [](double) { return 1.; }).step == 0);
+  BOOST_TEST(search_residual_norm(1, [](double) { return std::nan(""); }).step == 0);
+  BOOST_TEST(search_residual_norm(
+                 1, [](double t) { return t > 1e-3 ? 2. : 0.; }, 0.1)
+                 .step == 0);
+}
+
+BOOST_AUTO_TEST_CASE(blocks_of_a_residual_are_judged_by_their_own_magnitude) {
+  Residual residual{Eigen::Vector4d(1e-3, 0, 1e-9, 0), Eigen::Vector4d(1e6, 1, 1e-6, 1e-7),
+                    Eigen::Vector4d(1e-10, 0, 1e-15, 0)};
+  BOOST_TEST(residual.relative_norm() == 1e-9, tolerance(1e-12));  // the small block drowns
+  residual.block_ends = {2, 4};
+  BOOST_TEST(residual.relative_norm() == 1e-3, tolerance(1e-12));
+  BOOST_TEST(residual.relative_round_off() == 1e-9, tolerance(1e-12));
+  residual.block_ends = {2};  // what lies beyond the last end is a block as well
+  BOOST_TEST(residual.relative_norm() == 1e-3, tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(a_nan_comes_through_in_whatever_block) {
+  for (const Eigen::Index place : {0, 1, 2, 3})
+    for (const std::vector<Eigen::Index>& ends :
+         {std::vector<Eigen::Index>{}, std::vector<Eigen::Index>{2, 4}}) {
+      Residual residual{Eigen::Vector4d::Constant(1e-20), Eigen::Vector4d::Ones(),
+                        Eigen::Vector4d::Zero(), ends};
+      residual.value[place] = std::nan("");
+      BOOST_TEST(!(residual.relative_norm() <= 1), "at " << place);
+      BOOST_TEST(!residual.is_finite());
+      BOOST_TEST(!residual.is_round_off());
+    }
 }
 
 BOOST_AUTO_TEST_CASE(ends_have_names_and_failures_have_advice) {

@@ -1,0 +1,128 @@
+// Is the tangent of velocity-pressure flow its derivative, for every law, wherever it is awkward?
+#include "common/flow/dense_jacobian.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "common/flow/dense_test_problems.hpp"
+
+using namespace talus;
+using namespace talus::flow;
+
+namespace {
+
+constexpr double lambda_r = 1e-2;
+constexpr double scale = 0.1;  // of the displacements
+const TestState flowing{"flow with inertia", 1, 1, 0.5, 1};
+
+rheology::Rheology rheology_of(const rheology::Regularisation& regularisation) {
+  return {{}, regularisation, lambda_r};
+}
+
+template <int Dim>
+solve::JacobianCheck check(const DenseSpace<Dim>& space, const rheology::Regularisation& law,
+                           const TestState& test, const PenaltyOptions& penalty = {},
+                           const TangentFactors& factors = {}) {
+  DenseFlow<Dim> problem(space, rheology_of(law), test_load<Dim>(test.inertia), penalty);
+  problem.set_tangent_factors(factors);
+  return solve::check_jacobian(jacobian_problem(problem, state_of(space, test)), scale);
+}
+
+// ∫ (carrier·grad carried)·N, written plainly.
+Eigen::VectorXd advection(const DenseSpace<2>& space, const solve::CompensatedVector& carrier,
+                          const solve::CompensatedVector& carried) {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(space.size());
+  for (std::size_t e = 0; e < space.element_count(); ++e)
+    for (const auto& point : gauss_rule<2>(3)) {
+      const ElementPoint<2> at(space.mesh(), e, point.position);
+      const Point<2> force = point.weight * at.determinant *
+                             (space.values_at(carried, e, point.position).velocity_gradient *
+                              space.values_at(carrier, e, point.position).velocity);
+      for (int a = 0; a < 9; ++a)
+        for (int i = 0; i < 2; ++i)
+          result[space.velocity_index(space.mesh().elements[e][static_cast<std::size_t>(a)], i)] +=
+              at.values[a] * force[i];
+    }
+  space.clear_fixed(result);
+  return result;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_tangent_is_the_derivative_for_every_law_and_state) {
+  const DenseSpace<2> space(awkward_mesh2(2, 2), mixed_conditions<2>());
+  for (const auto& law : rheology::regularisations())
+    for (const TestState& test : test_states(lambda_r)) {
+      const solve::JacobianCheck result = check(space, law, test);
+      BOOST_TEST(result.passed(), rheology::name_of(law)
+                                      << ", " << test.name << ": slope " << result.smallest_slope()
+                                      << ", entry " << result.entries.worst);
+      BOOST_TEST(result.smallest_slope() < 3.5);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_tangent_of_a_plain_penalty_is_right_too) {
+  const DenseSpace<2> space(awkward_mesh2(3, 2), mixed_conditions<2>(false));
+  for (const auto& law : rheology::regularisations())
+    BOOST_TEST(check(space, law, flowing, {Penalty::plain, 1e-2}).passed(), rheology::name_of(law));
+}
+
+BOOST_AUTO_TEST_CASE(the_tangent_is_right_in_three_dimensions) {
+  const DenseSpace<3> space(awkward_mesh3(), mixed_conditions<3>());
+  for (const auto& law : rheology::regularisations())
+    BOOST_TEST(check(space, law, flowing).passed(), rheology::name_of(law));
+}
+
+BOOST_AUTO_TEST_CASE(a_part_of_the_tangent_left_out_or_with_its_sign_wrong_is_caught) {
+  const DenseSpace<2> space(awkward_mesh2(2, 2), mixed_conditions<2>());
+  for (const auto& law : rheology::regularisations())
+    for (const double wrong : {0.0, -1.0})
+      for (const TangentFactors& factors :
+           {TangentFactors{wrong, 1, 1}, {1, wrong, 1}, {1, 1, wrong}}) {
+        const auto result = check(space, law, flowing, {}, factors);
+        BOOST_TEST(!result.passed(), rheology::name_of(law)
+                                         << " with " << factors.shear_rate << ", "
+                                         << factors.pressure << ", " << factors.inertia);
+        BOOST_TEST(result.smallest_slope() < 1.2);
+      }
+}
+
+BOOST_AUTO_TEST_CASE(a_percent_missing_at_the_open_boundary_is_caught) {
+  const DenseSpace<2> space(awkward_mesh2(2, 2), mixed_conditions<2>());
+  const DenseSpace<2> closed(awkward_mesh2(2, 2), mixed_conditions<2>(false));
+  const auto law = rheology_of(rheology::ChauchatMedale{});
+  DenseFlow<2> problem(space, law, test_load<2>(1)), without(closed, law, test_load<2>(1));
+  const auto state = state_of(space, flowing);
+  auto jacobian = jacobian_problem(problem, state);
+  const auto right = jacobian.product, no_side = jacobian_problem(without, state).product;
+  jacobian.product = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
+    return right(v) - 0.01 * (right(v) - no_side(v));
+  };
+  BOOST_TEST(!solve::check_jacobian(jacobian, scale).passed());
+}
+
+// Eq. (13): the first variation of the advective term is u'·grad u + u·grad u'.
+BOOST_AUTO_TEST_CASE(half_of_the_variation_of_the_advective_term_in_eq_13_is_not_enough) {
+  const DenseSpace<2> space(awkward_mesh2(2, 2), mixed_conditions<2>());
+  const auto law = rheology_of(rheology::ChauchatMedale{});
+  DenseFlow<2> problem(space, law, test_load<2>(1)), inertialess(space, law, test_load<2>(0));
+  const auto u = state_of(space, flowing);
+  auto jacobian = jacobian_problem(problem, u);
+  const auto right = jacobian.product, rest = jacobian_problem(inertialess, u).product;
+
+  Eigen::VectorXd direction = Eigen::VectorXd::LinSpaced(space.size(), -1, 2);
+  space.clear_fixed(direction);
+  const solve::CompensatedVector v(direction);
+  const Eigen::VectorXd both = right(direction) - rest(direction);
+  BOOST_TEST((both - advection(space, v, u) - advection(space, u, v)).norm() <
+             1e-13 * right(direction).norm());
+
+  for (const bool drop_first : {true, false}) {
+    jacobian.product = [&](const Eigen::VectorXd& w) -> Eigen::VectorXd {
+      Eigen::VectorXd free = w;
+      space.clear_fixed(free);
+      const solve::CompensatedVector change(free);
+      return right(w) - (drop_first ? advection(space, change, u) : advection(space, u, change));
+    };
+    BOOST_TEST(!solve::check_jacobian(jacobian, scale).passed());
+  }
+}

@@ -1,0 +1,15 @@
+// The parts of the studies that are about velocity-pressure flow.
+#pragma once
+
+#include "verification/chapter.hpp"
+
+namespace talus::verification {
+
+/// The tangent of every law at every state, and broken ones: into the Jacobian study.
+void check_dense_tangents(Chapter& chapter);
+
+/// Every manufactured flow, law and mesh family, with and without inertia: into the orders study. A
+/// part of them if the study is quick.
+void manufactured_orders(Chapter& chapter, const Context& context);
+
+}  // namespace talus::verification
