@@ -65,5 +65,6 @@ Chapter cost_study(const Context& context);
 Chapter stability_study(const Context& context);
 Chapter heap_study(const Context& context);
 Chapter ladder_study(const Context& context);
+Chapter cylinder_study(const Context& context);
 
 }  // namespace talus::verification
