@@ -105,7 +105,7 @@ CylinderMeasures measure(CylinderFlow& cylinder, const State& state) {
   const auto& space = cylinder.space();
   const auto& mesh = space.mesh();
   const double halves = cylinder.scene().mesh.full ? 1 : 2;
-  const solve::Residual& residual = cylinder.flow().evaluate(state);
+  cylinder.flow().evaluate(state);
   CylinderMeasures m;
   m.loading = cylinder.flow().load_factor();
   m.lambda_r = cylinder.flow().rheology().lambda_r;
@@ -115,11 +115,14 @@ CylinderMeasures measure(CylinderFlow& cylinder, const State& state) {
   m.wall_force = halves * reaction(cylinder, "wall");
   m.largest_velocity = state.value().head(space.velocity_count()).lpNorm<Eigen::Infinity>();
 
-  double area = 0, divergence = 0, gradient = 0, yielded = 0, ill_posed = 0, momentum = 0;
+  double area = 0, divergence = 0, projected = 0, gradient = 0, yielded = 0, ill_posed = 0,
+         momentum = 0;
   m.min_pressure = std::numeric_limits<double>::infinity();
   m.max_pressure = -m.min_pressure;
   const auto rule = flow::gauss_rule<2>(3);
-  for (std::size_t e = 0; e < space.element_count(); ++e)
+  for (std::size_t e = 0; e < space.element_count(); ++e) {
+    // Moments of div u with the pressures, over the norms of those.
+    flow::DenseSpace<2>::PressureValues moments{0, 0, 0}, squares{0, 0, 0};
     for (const auto& point : rule) {
       const CylinderPoint at = point_at(cylinder, state, e, point.position);
       const double weight =
@@ -132,23 +135,18 @@ CylinderMeasures measure(CylinderFlow& cylinder, const State& state) {
       if (at.has_yielded && at.well_posedness > 0) ill_posed += weight;
       m.min_pressure = std::min(m.min_pressure, at.total_pressure);
       m.max_pressure = std::max(m.max_pressure, at.total_pressure);
+      const auto psi = space.pressure_basis(e, point.position, at.values.position);
+      moments += weight * at.values.divergence() * psi;
+      squares += weight * psi.cwiseAbs2();
     }
+    projected += (moments.array().square() / squares.array()).sum();
+  }
   m.weight = halves * m.loading * area;
   m.momentum_flux = cylinder.scene().inertia ? -halves * momentum : 0;
   m.yielded_share = yielded / area;
   m.ill_posed_share = ill_posed / area;
   const double gradient_norm = std::sqrt(gradient);
   m.divergence = std::sqrt(divergence) / gradient_norm;
-  // The mass residual of an element is the moment of div u with its pressures; with ∫ψ0 = its area,
-  // the moment over sqrt(area) is the norm of the projection onto the constants.
-  double projected = 0;
-  for (std::size_t e = 0; e < space.element_count(); ++e) {
-    double element_area = 0;
-    for (const auto& point : rule)
-      element_area += point.weight * flow::ElementPoint<2>(mesh, e, point.position).determinant;
-    for (int k = 0; k < flow::DenseSpace<2>::pressures; ++k)
-      projected += std::pow(residual.value[space.pressure_index(e, k)], 2) / element_area;
-  }
   m.projected_divergence = std::sqrt(projected) / gradient_norm;
   return m;
 }
