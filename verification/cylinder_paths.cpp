@@ -115,7 +115,7 @@ void loadings(Chapter& chapter, const Context& context) {
        "smallest pressure", "ill-posed share", "CPU s"},
       {}};
   io::Panel panel{"Along the loading", "F", "U", false, true, {}};
-  panel.key = "bottom right";
+  panel.key = "top left";
   for (const auto& law : laws())
     for (const auto continuation : {twod::Continuation::arclength, twod::Continuation::natural}) {
       const bool natural = continuation == twod::Continuation::natural;
@@ -143,12 +143,12 @@ void loadings(Chapter& chapter, const Context& context) {
       }
     }
   chapter.text(
-      "Along the loading the velocity of eq. (12) jumps by four orders of magnitude at F ≈ 0.049; "
-      "with λr = 1e-6 this is steep but no fold, and both ways of following it pass. Beyond, the "
-      "path folds, again and again within a narrow range of the loading, where the equations are "
+      "Along the loading the velocity of eq. (12) jumps by orders of magnitude at F ≈ 0.05, where "
+      "the material yields: steeply, on coarse meshes along an S with two folds. Beyond, the path "
+      "may fold again and again within a narrow range of the loading, where the equations are "
       "ill-posed (C > 0) and bands one element wide yield in turn. Natural continuation ends at "
-      "the first of these folds, whatever its step. The control law, well-posed at small I, goes "
-      "through on the same mesh with the same solver.");
+      "the first fold, whatever its step; arclength continuation goes on. The control law, "
+      "well-posed at small I, has no fold on the same mesh with the same solver.");
   chapter.table(std::move(table));
   chapter.figure(
       {"loading_paths", "Mean velocity along the loading; folds are ringed.", {panel}, 1});

@@ -1,28 +1,8 @@
 #include "common/flow/cross_section.hpp"
 
-#include <cmath>
-
-#include <Eigen/LU>
-
-#include "common/fem/quadrature.hpp"
+#include "common/flow/geometry.hpp"
 
 namespace talus::flow {
-
-namespace {
-
-// The point of a tensor-product rule in as many directions as `point` has, and its weight.
-template <class Vector>
-double tensor_point(const std::vector<fem::QuadraturePoint>& rule, std::size_t index,
-                    Vector& point) {
-  double weight = 1;
-  for (Eigen::Index d = 0; d < point.size(); ++d, index /= rule.size()) {
-    point[d] = rule[index % rule.size()].position;
-    weight *= rule[index % rule.size()].weight;
-  }
-  return weight;
-}
-
-}  // namespace
 
 template <int Dim>
 CrossSection<Dim>::CrossSection(Mesh<Dim> mesh, const std::string& friction_wall,
@@ -31,63 +11,34 @@ CrossSection<Dim>::CrossSection(Mesh<Dim> mesh, const std::string& friction_wall
       skeleton_(mesh_),
       interior_rows_(mesh_.elements.size()),
       interior_pivots_(mesh_.elements.size()) {
-  const auto rule = fem::gauss_legendre(points_per_direction);
-  for (int d = 0; d < Dim; ++d) points_per_element_ *= rule.size();
-  std::vector<std::vector<int>> wall_sides(element_count());
+  const auto rule = gauss_rule<Dim>(points_per_direction);
+  points_per_element_ = rule.size();
+  std::vector<std::vector<Face>> wall_sides(element_count());
   if (!friction_wall.empty())
     for (const Face& face : mesh_.boundaries.at(friction_wall))
-      wall_sides[face.element].push_back(face.side);
+      wall_sides[face.element].push_back(face);
   for (std::size_t e = 0; e < element_count(); ++e) {
-    NodePositions nodes;
-    for (int a = 0; a < nodes_per_element; ++a)
-      nodes.col(a) =
-          mesh_.nodes[static_cast<std::size_t>(mesh_.elements[e][static_cast<std::size_t>(a)])];
-    for (std::size_t q = 0; q < points_per_element_; ++q) {
-      Vector reference;
-      const double weight = tensor_point(rule, q, reference);
-      const fem::QuadraticBasis<Dim> basis(reference);
-      const Tangent jacobian = nodes * basis.gradients.transpose();  // dx_i/dξ_j
-      points_.push_back({jacobian.inverse().transpose() * basis.gradients, basis.values,
-                         nodes * basis.values, weight * jacobian.determinant()});
+    for (const auto& each : rule) {
+      const ElementPoint<Dim> at(mesh_, e, each.position);
+      points_.push_back({at.gradients, at.values, at.position, each.weight * at.determinant});
     }
-    for (const int side : wall_sides[e]) add_wall_points(nodes, side, points_per_direction);
+    for (const Face& side : wall_sides[e]) add_wall_points(side, points_per_direction);
     first_point_.push_back(points_.size());
   }
 }
 
 template <int Dim>
-void CrossSection<Dim>::add_wall_points([[maybe_unused]] const NodePositions& nodes,
-                                        [[maybe_unused]] int side,
+void CrossSection<Dim>::add_wall_points([[maybe_unused]] const Face& side,
                                         [[maybe_unused]] int points_per_direction) {
   // On a line a wall is a point, and the skeleton's fluxes have no place for its force.
-  if constexpr (Dim > 1) {
-    const auto rule = fem::gauss_legendre(points_per_direction);
-    for (std::size_t q = 0; q < points_per_element_ / rule.size(); ++q) {
-      Eigen::Matrix<double, Dim - 1, 1> along;
-      const double weight = tensor_point(rule, q, along);
-      Vector reference;
-      Eigen::Matrix<double, Dim, Dim - 1> directions = Eigen::Matrix<double, Dim, Dim - 1>::Zero();
-      for (Eigen::Index d = 0, free = 0; d < Dim; ++d) {
-        if (d == side / 2) {
-          reference[d] = side % 2 ? 1 : -1;
-        } else {
-          directions(d, free) = 1;
-          reference[d] = along[free++];
-        }
-      }
-      const fem::QuadraticBasis<Dim> basis(reference);
-      const Eigen::Matrix<double, Dim, Dim - 1> tangents =
-          nodes * basis.gradients.transpose() * directions;
-      Point point{{},
-                  basis.values,
-                  nodes * basis.values,
-                  weight * std::sqrt((tangents.transpose() * tangents).determinant()),
-                  true};
+  if constexpr (Dim > 1)
+    for (const auto& each : face_rule(mesh_, side, points_per_direction)) {
+      const ElementPoint<Dim> at(mesh_, side.element, each.reference);
+      Point point{{}, at.values, at.position, each.weight, true};
       point.gradients.setZero();
-      point.gradients.row(0) = basis.values.transpose();
+      point.gradients.row(0) = at.values.transpose();
       points_.push_back(point);
     }
-  }
 }
 
 template <int Dim>

@@ -101,8 +101,7 @@ class CrossSection {
   void clear_fixed(Eigen::VectorXd& values) const;
 
  private:
-  using NodePositions = Eigen::Matrix<double, Dim, nodes_per_element>;
-  void add_wall_points(const NodePositions& nodes, int side, int points_per_direction);
+  void add_wall_points(const Face& side, int points_per_direction);
   bool solve_once(const Eigen::VectorXd& right_hand_side, solve::CompensatedVector& solution) const;
 
   Mesh<Dim> mesh_;
