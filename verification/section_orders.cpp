@@ -9,7 +9,7 @@ namespace talus::verification {
 
 void add_section_orders(Chapter& chapter, const Context& context) {
   constexpr double lambda_r = 1e-6;
-  const int coarsest = context.full ? 12 : 8;
+  const int coarsest = context.full ? 24 : 12;
   io::Table table{
       "Order of the flow rate of the heap's section at α = 0.42, from the differences "
       "between uniform meshes of " +
