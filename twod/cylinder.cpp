@@ -2,6 +2,8 @@
 
 #include <set>
 
+#include <Eigen/Cholesky>
+
 #include "common/solve/natural_continuation.hpp"
 
 namespace talus::twod {
@@ -115,18 +117,22 @@ CylinderMeasures measure(CylinderFlow& cylinder, const State& state) {
   m.wall_force = halves * reaction(cylinder, "wall");
   m.largest_velocity = state.value().head(space.velocity_count()).lpNorm<Eigen::Infinity>();
 
-  double area = 0, divergence = 0, projected = 0, gradient = 0, yielded = 0, ill_posed = 0,
-         momentum = 0;
+  double area = 0, divergence = 0, gradient = 0, yielded = 0, ill_posed = 0, momentum = 0;
   m.min_pressure = std::numeric_limits<double>::infinity();
   m.max_pressure = -m.min_pressure;
   const auto rule = flow::gauss_rule<2>(3);
+  double projected = 0;
+  using Projection = flow::DenseSpace<2>::PressureValues;
   for (std::size_t e = 0; e < space.element_count(); ++e) {
-    // Moments of div u with the pressures, over the norms of those.
-    flow::DenseSpace<2>::PressureValues moments{0, 0, 0}, squares{0, 0, 0};
+    Projection moments = Projection::Zero();  // of div u with the pressures of the element
+    Eigen::Matrix3d mass = Eigen::Matrix3d::Zero();
     for (const auto& point : rule) {
       const CylinderPoint at = point_at(cylinder, state, e, point.position);
       const double weight =
           point.weight * flow::ElementPoint<2>(mesh, e, point.position).determinant;
+      const Projection psi = space.pressure_basis(e, point.position, at.values.position);
+      moments += weight * at.values.divergence() * psi;
+      mass += weight * psi * psi.transpose();
       area += weight;
       divergence += weight * std::pow(at.values.divergence(), 2);
       gradient += weight * at.values.velocity_gradient.squaredNorm();
@@ -135,11 +141,8 @@ CylinderMeasures measure(CylinderFlow& cylinder, const State& state) {
       if (at.has_yielded && at.well_posedness > 0) ill_posed += weight;
       m.min_pressure = std::min(m.min_pressure, at.total_pressure);
       m.max_pressure = std::max(m.max_pressure, at.total_pressure);
-      const auto psi = space.pressure_basis(e, point.position, at.values.position);
-      moments += weight * at.values.divergence() * psi;
-      squares += weight * psi.cwiseAbs2();
     }
-    projected += (moments.array().square() / squares.array()).sum();
+    projected += moments.dot(mass.llt().solve(moments));
   }
   m.weight = halves * m.loading * area;
   m.momentum_flux = cylinder.scene().inertia ? -halves * momentum : 0;

@@ -75,7 +75,8 @@ int run(Options& options) {
   const bool reached_all = sweep.run();
 
   // 3. What came out.
-  nlohmann::json summary = {{"program", "cylinder"}, {"parameters", sweep.parameters()}};
+  nlohmann::json summary = {
+      {"scene", "cylinder"}, {"model", "velocity-pressure"}, {"parameters", sweep.parameters()}};
   summary["status"] = reached_all ? "converged" : solve::name_of(sweep.end());
   summary["elements"] = sweep.cylinder().space().element_count();
   summary["condensed_unknowns"] = sweep.cylinder().flow().system().unknowns();
@@ -90,9 +91,12 @@ int run(Options& options) {
 
   // 4. The files.
   folder.write("summary.json", summary.dump(2) + "\n");
-  folder.write("path.csv", io::to_csv(twod::path_table(sweep.records())));
   folder.write("sweep.pvd", io::to_pvd(sweep.series()));
-  std::vector<io::Figure> figures = {twod::path_figure(sweep.records())};
+  std::vector<io::Figure> figures;
+  if (!sweep.records().empty()) {  // none if all was reached before --resume
+    folder.write("path.csv", io::to_csv(twod::path_table(sweep.records())));
+    figures.push_back(twod::path_figure(sweep.records()));
+  }
   if (!sweep.reached_loadings().empty()) {
     folder.write("perimeter.csv",
                  io::to_csv(twod::perimeter_table(sweep.cylinder(), sweep.state())));

@@ -1,6 +1,7 @@
 #include "twod/cylinder_sweep.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 
 #include "common/program/checkpoint.hpp"
@@ -27,7 +28,7 @@ CylinderSweep::CylinderSweep(const SweepOptions& options, const io::ResultFolder
 }
 
 bool CylinderSweep::run() {
-  if (options_.resume) resume();
+  if (options_.resume && !resume()) return false;
   for (; reached() < options_.loadings.size(); finish_loading()) {
     const double target = options_.loadings[reached()];
     if (state_.size() == 0 || options_.route == Route::lambda_r) {
@@ -86,10 +87,11 @@ void CylinderSweep::save(const std::string& stage, double target,
   program::write_checkpoint(folder_, checkpoint_name, {notes, start});
 }
 
-void CylinderSweep::resume() {
+// Goes on with the path that was interrupted; false if it does not reach its target either.
+bool CylinderSweep::resume() {
   const auto file = folder_.path() / checkpoint_name;
   auto checkpoint = program::read_checkpoint(file);
-  if (!checkpoint) return;
+  if (!checkpoint) return true;
   const nlohmann::json& notes = checkpoint->notes;
   if (notes.at("parameters") != parameters_)
     throw io::UserError("--resume: '" + file.string() +
@@ -100,21 +102,26 @@ void CylinderSweep::resume() {
   }
   const std::string stage = notes.at("stage");
   const double target = notes.at("target");
-  if (stage == "reached") {
-    state_ = checkpoint->start.state;
+  const bool follows_lambda_r = stage == "lambda_r";
+  const double end = follows_lambda_r ? std::log10(options_.scene.lambda_r) : target;
+  bool arrived = stage == "reached" || checkpoint->start.parameter == end;
+  if (arrived) {
+    state_ = std::move(checkpoint->start.state);
     loading_ = target;
     cylinder_.flow().set_load_factor(loading_);
     cylinder_.flow().set_lambda_r(options_.scene.lambda_r);
-    return;
+  } else {
+    arrived = accept(
+        follows_lambda_r
+            ? follow_lambda_r(cylinder_, target, std::move(checkpoint->start),
+                              options_.continuation, path_options(), observer(stage, target))
+            : follow_loading(cylinder_, std::move(checkpoint->start), target, options_.continuation,
+                             path_options(), observer(stage, target)));
   }
-  const bool arrived =
-      stage == "lambda_r"
-          ? accept(follow_lambda_r(cylinder_, target, std::move(checkpoint->start),
-                                   options_.continuation, path_options(), observer(stage, target)))
-          : accept(follow_loading(cylinder_, std::move(checkpoint->start), target,
-                                  options_.continuation, path_options(), observer(stage, target)));
-  if (arrived && reached() < options_.loadings.size() && loading_ == options_.loadings[reached()])
+  if (arrived && stage != "reached" && reached() < options_.loadings.size() &&
+      loading_ == options_.loadings[reached()])
     finish_loading();
+  return arrived;
 }
 
 // Takes over where a path ended; true if that is its target.

@@ -51,7 +51,7 @@ class CylinderSweep {
   CylinderObserver observer(const std::string& stage, double target);
   void save(const std::string& stage, double target,
             const solve::PathStart<CylinderFlow::State>& start) const;
-  void resume();
+  bool resume();
   bool accept(CylinderPath path);
   void finish_loading();
 

@@ -27,20 +27,29 @@ std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& file) {
   };
   std::string line;
   std::getline(in, line);
-  const nlohmann::json header = nlohmann::json::parse(line, nullptr, false);
-  if (header.is_discarded() || !header.contains("size")) throw broken();
-  const auto size = header["size"].get<Eigen::Index>();
+  Checkpoint checkpoint;
+  auto& start = checkpoint.start;
+  Eigen::Index size = 0;
+  try {
+    const auto header = nlohmann::json::parse(line);
+    checkpoint.notes = header.at("notes");
+    size = header.at("size");
+    start.parameter = header.at("parameter");
+    start.direction = header.at("direction");
+    start.step = header.at("step");
+    start.reference_sign = header.at("reference_sign");
+  } catch (const nlohmann::json::exception&) {
+    throw broken();
+  }
+  const auto rest = std::filesystem::file_size(file) - line.size() - 1;
+  if (size < 0 || rest != 2 * sizeof(double) * static_cast<std::size_t>(size)) throw broken();
   Eigen::VectorXd value(size), correction(size);
   for (Eigen::VectorXd* part : {&value, &correction})
     in.read(reinterpret_cast<char*>(part->data()),
             static_cast<std::streamsize>(sizeof(double)) * size);
   if (!in) throw broken();
-  return Checkpoint{header["notes"],
-                    {.state = {std::move(value), std::move(correction)},
-                     .parameter = header["parameter"],
-                     .direction = header["direction"],
-                     .step = header["step"],
-                     .reference_sign = header["reference_sign"]}};
+  start.state = {std::move(value), std::move(correction)};
+  return checkpoint;
 }
 
 }  // namespace talus::program

@@ -1,0 +1,296 @@
+// The flow past the cylinder against reference numbers, balances and itself.
+#include "twod/cylinder.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include <boost/test/unit_test.hpp>
+
+#include "common/flow/dense_jacobian.hpp"
+#include "common/flow/dense_test_problems.hpp"
+#include "twod/cylinder_report.hpp"
+
+using namespace talus;
+using namespace talus::twod;
+using State = CylinderFlow::State;
+using solve::PathEnd;
+
+namespace {
+
+Cylinder scene(int around, double lambda_r = 1e-6) {
+  Cylinder scene;
+  scene.mesh = refined_to(around);
+  scene.lambda_r = lambda_r;
+  return scene;
+}
+
+double relative(double value, double reference) {
+  return std::abs(value / reference - 1);
+}
+
+void solve_at(CylinderFlow& cylinder, double loading, double lambda_r, State& state,
+              double tolerance = 1e-13) {
+  cylinder.flow().set_load_factor(loading);
+  cylinder.flow().set_lambda_r(lambda_r);
+  const auto newton = solve::newton(cylinder.flow(), state,
+                                    {.tolerance = tolerance,
+                                     .max_iterations = 50,
+                                     .line_search = solve::LineSearch::residual_norm});
+  BOOST_REQUIRE_MESSAGE(solve::is_success(newton.end), solve::name_of(newton.end));
+}
+
+// Below yield velocities go with λr: from rest at λr = 0.1, then to the scene's at once.
+State creep(CylinderFlow& cylinder, double loading) {
+  constexpr double first = 0.1;
+  State state = cylinder.space().start();
+  solve_at(cylinder, loading, first, state);
+  for (Eigen::Index i = 0; i < cylinder.space().velocity_count(); ++i)
+    state.set(i, cylinder.scene().lambda_r / first * state.value()[i]);
+  solve_at(cylinder, loading, cylinder.scene().lambda_r, state);
+  return state;
+}
+
+CylinderMeasures creep_at(const Cylinder& scene, double loading) {
+  CylinderFlow cylinder(scene);
+  return measure(cylinder, creep(cylinder, loading));
+}
+
+int folds(const CylinderPath& path) {
+  return static_cast<int>(std::ranges::count_if(
+      path.points, [](const solve::PathPoint& point) { return point.is_fold_passed; }));
+}
+
+// L2 norms of the dynamic pressure and of grad u.
+std::pair<double, double> norms(const CylinderFlow& cylinder, const State& state) {
+  double pressure = 0, gradient = 0;
+  const auto& space = cylinder.space();
+  for (std::size_t e = 0; e < space.element_count(); ++e)
+    for (const auto& point : flow::gauss_rule<2>(3)) {
+      const double weight =
+          point.weight * flow::ElementPoint<2>(space.mesh(), e, point.position).determinant;
+      const auto values = space.values_at(state, e, point.position);
+      pressure += weight * std::pow(values.pressure, 2);
+      gradient += weight * values.velocity_gradient.squaredNorm();
+    }
+  return {std::sqrt(pressure), std::sqrt(gradient)};
+}
+
+template <class Path>
+struct WithWrongDerivative : Path {
+  using Path::Path;
+  Eigen::VectorXd parameter_derivative() const { return 0.5 * Path::parameter_derivative(); }
+};
+
+template <class Path>
+void check_predictor_order(CylinderFlow& cylinder, const State& state, double step) {
+  Path path(cylinder.flow());
+  WithWrongDerivative<Path> wrong(cylinder.flow());
+  const double order = solve::predictor_order(path, state, step);
+  const double wrong_order = solve::predictor_order(wrong, state, step);
+  BOOST_TEST((1.9 < order && order < 2.1), "order " << order);
+  BOOST_TEST((0.9 < wrong_order && wrong_order < 1.1), "wrong order " << wrong_order);
+}
+
+}  // namespace
+
+// The references have 160 elements around; the error is of first order in the first layer, here
+// the same D/50, and hardly depends on the elements around.
+BOOST_AUTO_TEST_CASE(creep_has_the_drag_and_velocity_of_the_references) {
+  struct Reference {
+    double loading, drag, mean_velocity;
+  };
+  Cylinder fine = scene(32);
+  fine.mesh.first_layer = 0.02;
+  for (const auto& [loading, drag, velocity] :
+       {Reference{0.01, 1.64313, 4.97e-7}, {0.04, 4.61716, 3.22e-6}}) {
+    const CylinderMeasures m = creep_at(fine, loading);
+    BOOST_TEST_MESSAGE("F = " << loading << ": drag " << m.drag << ", U " << m.mean_velocity
+                              << ", imbalance " << m.imbalance() << ", projected divergence "
+                              << m.projected_divergence);
+    BOOST_TEST(relative(m.drag, drag) < 0.01);
+    BOOST_TEST(relative(m.mean_velocity, velocity) < 0.01);
+    BOOST_TEST(std::abs(m.imbalance()) < 1e-10);
+    BOOST_TEST(m.projected_divergence < 1e-13);
+    BOOST_TEST(m.divergence > 1e-6);  // what the pressures do not see is no round-off
+    BOOST_TEST(relative(m.weight, loading * (600 - std::numbers::pi / 4)) < 1e-6);
+  }
+  BOOST_TEST(relative(creep_at(scene(16), 0.04).drag, 4.61716) > 0.01);  // a coarse mesh is seen
+}
+
+BOOST_AUTO_TEST_CASE(creep_is_proportional_to_lambda_r_and_flow_is_not) {
+  const CylinderMeasures one = creep_at(scene(24), 0.01), half = creep_at(scene(24, 5e-7), 0.01);
+  BOOST_TEST(relative(one.mean_velocity, 2 * half.mean_velocity) < 1e-5);
+  BOOST_TEST(relative(one.drag, half.drag) < 1e-5);
+  CylinderFlow flowing(scene(16, 2e-3));
+  const CylinderPath path = solve_from_rest(flowing, 0.054);
+  BOOST_REQUIRE((path.end == PathEnd::target_reached));
+  State state = path.next.state;
+  const double velocity = measure(flowing, state).mean_velocity;
+  solve_at(flowing, 0.054, 1e-3, state);
+  BOOST_TEST(relative(velocity, measure(flowing, state).mean_velocity) < 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(the_traction_approaches_the_reactions_at_first_order) {
+  const auto gap = [](int around) {
+    const CylinderMeasures m = creep_at(scene(around), 0.01);
+    return relative(m.drag_traction, m.drag);
+  };
+  const double coarse = gap(16), fine = gap(32);
+  const double order = std::log2(coarse / fine);
+  BOOST_TEST_MESSAGE("gaps " << coarse << ", " << fine);
+  BOOST_TEST((0.8 < order && order < 1.2), "order " << order);
+}
+
+BOOST_AUTO_TEST_CASE(the_well_posed_law_has_no_folds_on_the_way_to_flow) {
+  Cylinder well_posed = scene(40);
+  well_posed.regularisation = *rheology::regularisation_named("barker-gray");
+  CylinderFlow cylinder(well_posed);
+  solve::PathOptions options = cylinder_path_options();  // few steps in vain
+  options.tolerance = 1e-6;
+  options.few_corrections = 3;
+  options.growth = 1.3;
+  options.max_corrections = 6;
+  const CylinderPath path = solve_from_rest(cylinder, 0.054, Continuation::arclength, options);
+  BOOST_TEST((path.end == PathEnd::target_reached), solve::name_of(path.end));
+  BOOST_TEST(folds(path) == 0);
+  const CylinderMeasures m = measure(cylinder, path.next.state);
+  BOOST_TEST_MESSAGE("U " << m.mean_velocity << ", drag " << m.drag << ", imbalance "
+                          << m.imbalance());
+  BOOST_TEST(std::abs(m.mean_velocity - 0.1618) < 1e-4);
+  BOOST_TEST(std::abs(m.drag - 6.077) < 1e-3);
+  BOOST_TEST(std::abs(m.imbalance()) < 1e-10);
+  BOOST_TEST(std::abs(m.momentum_flux / m.weight) > 1e-8);  // and inertia counts
+  BOOST_TEST((0 < m.yielded_share && m.yielded_share < 1));
+}
+
+// On this mesh the path turns back at the yield load and once more.
+BOOST_AUTO_TEST_CASE(arclength_passes_the_yield_load_where_natural_continuation_stops) {
+  CylinderFlow cylinder(scene(16));
+  const solve::PathStart<State> start{.state = creep(cylinder, 0.045), .parameter = 0.045};
+  solve::PathOptions options = cylinder_path_options();
+  const CylinderPath arclength =
+      follow_loading(cylinder, start, 0.051, Continuation::arclength, options);
+  BOOST_TEST((arclength.end == PathEnd::target_reached), solve::name_of(arclength.end));
+  BOOST_TEST(measure(cylinder, arclength.next.state).mean_velocity > 0.01);
+  const auto turns = solve::fold_parameters(arclength.points);
+  BOOST_REQUIRE(turns.size() == 2U);
+  options.smallest_step = 1e-3;
+  const CylinderPath natural =
+      follow_loading(cylinder, start, 0.051, Continuation::natural, options);
+  BOOST_TEST_MESSAGE("folds at " << turns[0] << ", " << turns[1] << ", natural stops at "
+                                 << natural.next.parameter);
+  BOOST_TEST((natural.end == PathEnd::step_too_small), solve::name_of(natural.end));
+  BOOST_TEST(std::abs(natural.next.parameter - turns[0]) < 1e-5);
+  BOOST_TEST(turns[1] < turns[0]);
+}
+
+BOOST_AUTO_TEST_CASE(the_paths_lead_where_newton_leads) {
+  constexpr double lambda_r = 1e-4;
+  const CylinderMeasures direct = creep_at(scene(16, lambda_r), 0.03);
+  for (const auto continuation : {Continuation::arclength, Continuation::natural}) {
+    CylinderFlow cylinder(scene(16, lambda_r));
+    CylinderPath path = solve_from_rest(cylinder, 0.03, continuation);
+    BOOST_REQUIRE((path.end == PathEnd::target_reached));
+    solve_at(cylinder, 0.03, lambda_r, path.next.state);
+    const CylinderMeasures m = measure(cylinder, path.next.state);
+    BOOST_TEST(relative(m.drag, direct.drag) < 1e-9);
+    BOOST_TEST(relative(m.mean_velocity, direct.mean_velocity) < 1e-9);
+  }
+  CylinderFlow cylinder(scene(16, lambda_r));
+  const auto stop = [](const State&, const CylinderMeasures& m, const solve::PathPoint&) {
+    return m.lambda_r > 0.01;
+  };
+  const auto path =
+      solve_from_rest(cylinder, 0.03, Continuation::arclength, cylinder_path_options(), stop);
+  BOOST_TEST((path.end == PathEnd::stopped));
+  BOOST_TEST(cylinder.flow().rheology().lambda_r <= 0.01);
+}
+
+BOOST_AUTO_TEST_CASE(half_and_full_domain_agree) {
+  Cylinder full = scene(16);
+  full.mesh.full = true;
+  const CylinderMeasures a = creep_at(scene(16), 0.03), b = creep_at(full, 0.03);
+  BOOST_TEST(relative(a.drag, b.drag) < 1e-9);
+  BOOST_TEST(relative(a.drag_traction, b.drag_traction) < 1e-9);
+  BOOST_TEST(relative(a.wall_force, b.wall_force) < 1e-9);
+  BOOST_TEST(relative(a.mean_velocity, b.mean_velocity) < 1e-9);
+  BOOST_TEST(relative(a.weight, b.weight) < 1e-12);
+}
+
+// Eq. (8): the divergence of a plain penalty is -λp p, exactly: p is in the space of projections.
+BOOST_AUTO_TEST_CASE(a_plain_penalty_leaves_the_divergence_it_should) {
+  constexpr double loading = 0.03, lambda_r = 1e-2;
+  Cylinder plain = scene(16, lambda_r);
+  plain.penalty = {flow::Penalty::plain, 1e-8};
+  CylinderFlow cylinder(plain);
+  const State state = creep(cylinder, loading);
+  const CylinderMeasures m = measure(cylinder, state);
+  const auto [pressure, gradient] = norms(cylinder, state);
+  BOOST_TEST(relative(m.projected_divergence, 1e-8 * pressure / gradient) < 1e-3);
+  const CylinderMeasures iterated = creep_at(scene(16, lambda_r), loading);
+  BOOST_TEST(iterated.projected_divergence < 1e-13);
+  BOOST_TEST_MESSAGE("drag changed by " << relative(m.drag, iterated.drag));
+  BOOST_TEST(relative(m.drag, iterated.drag) < 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(tangent_steps_along_both_parameters_are_of_second_order) {
+  CylinderFlow cylinder(scene(16, 1e-2));
+  const State state = creep(cylinder, 0.045);
+  check_predictor_order<flow::RegularisationPath<2>>(cylinder, state, 0.02);
+  check_predictor_order<flow::LoadPath<2>>(cylinder, state, 0.02);
+}
+
+BOOST_AUTO_TEST_CASE(an_outlet_whose_pressure_is_open_carries_the_column) {
+  const auto velocity = [](flow::Open open) {
+    Cylinder outlet = scene(16, 0.1);
+    outlet.mesh.outlet = 8;
+    outlet.open_outlet = open;
+    CylinderFlow cylinder(outlet);
+    State state = cylinder.space().start();
+    solve_at(cylinder, 0.045, 0.1, state, 1e-9);
+    return measure(cylinder, state).mean_velocity;
+  };
+  const double developed = velocity(flow::Open::no);
+  BOOST_TEST_MESSAGE("U " << developed << ", viscous " << velocity(flow::Open::viscous) << ", all "
+                          << velocity(flow::Open::all));
+  BOOST_TEST(relative(velocity(flow::Open::viscous), developed) < 0.05);
+  BOOST_TEST(std::abs(velocity(flow::Open::all)) < 1e-3 * developed);
+}
+
+BOOST_AUTO_TEST_CASE(the_tangent_at_a_viscous_outlet_is_the_derivative) {
+  auto conditions = flow::mixed_conditions<2>();
+  const flow::DenseSpace<2> all(flow::awkward_mesh2(2, 2), conditions);
+  conditions["right"] = flow::open_boundary<2>(flow::Open::viscous);
+  const flow::DenseSpace<2> viscous(flow::awkward_mesh2(2, 2), conditions);
+  for (const auto& law : rheology::regularisations()) {
+    flow::DenseFlow<2> problem(viscous, {{}, law, 1e-2}, flow::test_load<2>(1));
+    flow::DenseFlow<2> other(all, {{}, law, 1e-2}, flow::test_load<2>(1));
+    const auto state = flow::state_of(viscous, {"", 1, 1, 0.5, 1});
+    auto jacobian = flow::jacobian_problem(problem, state);
+    BOOST_TEST(solve::check_jacobian(jacobian, 0.1).passed(), rheology::name_of(law));
+    jacobian.product = flow::jacobian_problem(other, state).product;
+    BOOST_TEST(!solve::check_jacobian(jacobian, 0.1).passed(), rheology::name_of(law));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(reports_keep_what_was_measured) {
+  CylinderFlow cylinder(scene(16));
+  const State state = creep(cylinder, 0.03);
+  const nlohmann::json json = as_json(measure(cylinder, state));
+  BOOST_TEST((as_json(measures_from(nlohmann::json::parse(json.dump()))) == json));
+  nlohmann::json incomplete = json;
+  incomplete.erase("drag");
+  BOOST_CHECK_THROW(measures_from(incomplete), nlohmann::json::exception);
+  // Froude number and drag coefficient in the units of the paper: g = p_ext = D = 1 first.
+  const CylinderMeasures m{.mean_velocity = 0.2, .drag = 6};
+  BOOST_TEST(m.drag_coefficient() == 300, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(m.froude(4) == 0.4, boost::test_tools::tolerance(1e-14));
+
+  const io::Table table = perimeter_table(cylinder, state);
+  std::vector<double> angles;
+  for (const auto& row : table.rows) angles.push_back(std::stod(row[0]));
+  BOOST_TEST(angles.size() == 3U * 8);
+  BOOST_TEST(std::ranges::is_sorted(angles, std::less_equal{}));
+  BOOST_TEST((0 < angles.front() && angles.front() < 3 && 177 < angles.back()));
+  BOOST_TEST(angles.back() < 180);
+}
