@@ -64,6 +64,17 @@ void read(Options& o) {
   o.run.route = o.route == "loading" ? twod::Route::loading : twod::Route::lambda_r;
 }
 
+// What to try when a path does not arrive.
+std::string advice_for(const Options& options) {
+  std::string advice = "a larger --lambda-r, or --max-points to follow the path further";
+  if (options.outflow == "open") return "nothing fixes the pressure: try --outflow open-viscous";
+  if (options.run.continuation == twod::Continuation::natural)
+    return "try --continuation arclength, or " + advice;
+  if (options.regularisation != "barker-gray")
+    advice += ", or the well-posed --regularisation barker-gray";
+  return "try the other --route, " + advice + "; past some loading there is no steady flow at all";
+}
+
 int run(Options& options) {
   // 1. The scene: mesh, boundary conditions, law.
   read(options);
@@ -109,15 +120,15 @@ int run(Options& options) {
         drawn && io::write_figure(folder, figure, "svg") && io::write_figure(folder, figure, "png");
   std::cout << sweep.factorisations() << " factorisations, " << sweep.folds() << " folds, "
             << io::rounded(watch.seconds(), 3) << " s; results in " << folder.path().string()
-            << ": summary.json sweep.csv sweep.pvd path.csv perimeter.csv"
-            << (drawn ? " path.svg perimeter.svg drag.svg (and .png)" : "") << '\n';
+            << ": summary.json path.csv sweep.pvd"
+            << (sweep.reached_loadings().empty() ? "" : " sweep.csv perimeter.csv")
+            << (drawn ? ", figures as .svg and .png" : "") << '\n';
   if (reached_all) return 0;
   std::cerr << "cylinder: " << solve::name_of(sweep.end())
             << " at F = " << io::rounded(sweep.cylinder().flow().load_factor(), 8)
             << ", λr = " << io::rounded(sweep.cylinder().flow().rheology().lambda_r, 4) << " after "
-            << sweep.folds()
-            << " folds: see path.csv; try the other --route, a larger --lambda-r or the "
-               "well-posed --regularisation barker-gray\n";
+            << sweep.folds() << (sweep.folds() == 1 ? " fold" : " folds") << ": see path.csv; "
+            << advice_for(options) << '\n';
   return 1;
 }
 

@@ -31,8 +31,9 @@ void for_each_measure(Measures& m, Action&& action) {
   action("ill_posed_share", m.ill_posed_share);
 }
 
+// The scene's scaling fixes d* = d/D.
 double effective_froude(const CylinderMeasures& m, double confining_pressure) {
-  constexpr double grain_size = 0.1;
+  const double grain_size = Cylinder{}.law.grain_size;
   return m.froude(confining_pressure) / std::sqrt(1 + grain_size);
 }
 
