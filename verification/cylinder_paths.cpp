@@ -123,8 +123,11 @@ void loadings(Chapter& chapter, const Context& context) {
       const Followed f = along_loading(law, around, continuation, context.full ? 250 : 120);
       const std::string name = rheology::name_of(law) + (natural ? ", natural" : ", arclength");
       table.rows.push_back(row_of(name, f));
-      io::Curve curve{name, {}, {}, natural ? io::Style::points : io::Style::line};
-      io::Curve folds{"folds, " + name, {}, {}, io::Style::rings};
+      io::Curve curve{natural ? "natural" : rheology::name_of(law),
+                      {},
+                      {},
+                      natural ? io::Style::points : io::Style::line};
+      io::Curve folds{"folds", {}, {}, io::Style::rings};
       for (std::size_t i = 0; i < f.points.size(); ++i) {
         curve.x.push_back(f.measures[i].loading);
         curve.y.push_back(f.measures[i].mean_velocity);
@@ -150,8 +153,11 @@ void loadings(Chapter& chapter, const Context& context) {
       "the first fold, whatever its step; arclength continuation goes on. The control law, "
       "well-posed at small I, has no fold on the same mesh with the same solver.");
   chapter.table(std::move(table));
-  chapter.figure(
-      {"loading_paths", "Mean velocity along the loading; folds are ringed.", {panel}, 1});
+  chapter.figure({"loading_paths",
+                  "Mean velocity along the loading: arclength continuation as lines, natural "
+                  "continuation as points on them, folds ringed.",
+                  {panel},
+                  1});
 }
 
 void atlas(Chapter& chapter, const Context& context) {
