@@ -41,8 +41,8 @@ std::vector<int> dissect(const SparseLu::Matrix& pattern, const std::vector<int>
   std::vector<int> permutation(static_cast<std::size_t>(nodes));
   // METIS separators, minimum degree within the parts: a tenth fewer operations than METIS alone.
   std::vector<int> parents(permutation.size()), members(permutation.size());
-  const auto components = cholmod_nested_dissection(
-      &view, nullptr, 0, permutation.data(), parents.data(), members.data(), &common);
+  const auto components = cholmod_nested_dissection(&view, nullptr, 0, permutation.data(),
+                                                    parents.data(), members.data(), &common);
   cholmod_finish(&common);
   if (components < 0) std::iota(permutation.begin(), permutation.end(), 0);
   return permutation;
