@@ -70,7 +70,7 @@ std::string advice_for(const Options& options) {
   if (options.outflow == "open") return "nothing fixes the pressure: try --outflow open-viscous";
   if (options.run.continuation == twod::Continuation::natural)
     return "try --continuation arclength, or " + advice;
-  if (options.regularisation != "barker-gray")
+  if (rheology::has_yield_stress(options.run.scene.regularisation))
     advice += ", or the well-posed --regularisation barker-gray";
   return "try the other --route, " + advice + "; past some loading there is no steady flow at all";
 }
@@ -152,10 +152,7 @@ int main(int argc, char** argv) {
   io::add_choice(app, "--outflow", o.outflow,
                  "At the outlet: developed, or open with or without its pressure",
                  {"fully-developed", "open-viscous", "open"});
-  std::vector<std::string> names;
-  for (const auto& each : rheology::regularisations()) names.push_back(rheology::name_of(each));
-  io::add_choice(app, "--regularisation", o.regularisation, "Viscosity, eq. (9)-(12) or a control",
-                 names);
+  program::add_regularisation(app, o.regularisation);
   io::add_real(app, "--lambda-r", o.run.scene.lambda_r, "Regularisation parameter, scaled", 1e-12,
                1);
   app.add_option("--friction", o.friction,

@@ -81,6 +81,7 @@ class DenseFlow {
   template <class Regularisation>
   void assemble(const Regularisation& regularisation, const rheology::Rheology& rheology,
                 const State& state, solve::Residual& residual, std::vector<States>* states) const;
+  /// Residual at a state under a law; keeps the point states if there is a place for them.
   void assemble_with(const rheology::Rheology& rheology, const State& state,
                      solve::Residual& residual, std::vector<States>* states) const;
   void add_open_sides(const rheology::Rheology& rheology, const State& state,

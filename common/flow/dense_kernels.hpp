@@ -112,38 +112,45 @@ struct BatchState {
   }
 };
 
-/// Integrals over a batch: ∫ σ·grad N + g N for every velocity, -∫ ψ m for every pressure.
+/// What is integrated at a quadrature point: stress σ against grad N, body g against N, and the
+/// divergence against the pressures.
+template <int Dim>
+struct Integrand {
+  PackTensor<Dim> stress{};
+  PackVector<Dim> body{};
+  Pack divergence = 0;
+};
+
+/// Integrals over a batch: ∫ σ·grad N + g N for every velocity, -∫ ψ div for every pressure.
 template <int Dim>
 struct BatchForce {
   std::array<PackVector<Dim>, DenseSpace<Dim>::nodes_per_element> force{};
   std::array<Pack, Dim + 1> mass{};
 
   void add(const typename DenseSpace<Dim>::BatchPoint& point, const fem::QuadraticBasis<Dim>& basis,
-           const PackGradients<Dim>& gradients, const PackTensor<Dim>& stress,
-           const PackVector<Dim>& body, const Pack& divergence) {
+           const PackGradients<Dim>& gradients, const Integrand<Dim>& at) {
     for (std::size_t a = 0; a < force.size(); ++a)
       for (std::size_t i = 0; i < Dim; ++i) {
-        Pack sum = body[i] * basis.values[static_cast<Eigen::Index>(a)];
-        for (std::size_t j = 0; j < Dim; ++j) sum += stress[i][j] * gradients[a][j];
+        Pack sum = at.body[i] * basis.values[static_cast<Eigen::Index>(a)];
+        for (std::size_t j = 0; j < Dim; ++j) sum += at.stress[i][j] * gradients[a][j];
         force[a][i] += point.weight * sum;
       }
-    const Pack source = point.weight * divergence;
+    const Pack source = point.weight * at.divergence;
     mass[0] -= source;
     for (std::size_t k = 0; k < Dim; ++k) mass[k + 1] -= source * point.pressure_basis[k];
   }
-  /// The same with absolute values of the basis: bounds instead of sums.
+  /// The same with absolute values of the bases: bounds instead of sums.
   void add_bound(const typename DenseSpace<Dim>::BatchPoint& point,
                  const fem::QuadraticBasis<Dim>& basis, const PackGradients<Dim>& gradients,
-                 const PackTensor<Dim>& stress, const PackVector<Dim>& body,
-                 const Pack& divergence) {
+                 const Integrand<Dim>& at) {
     using std::experimental::abs;
     for (std::size_t a = 0; a < force.size(); ++a)
       for (std::size_t i = 0; i < Dim; ++i) {
-        Pack sum = body[i] * std::abs(basis.values[static_cast<Eigen::Index>(a)]);
-        for (std::size_t j = 0; j < Dim; ++j) sum += stress[i][j] * abs(gradients[a][j]);
+        Pack sum = at.body[i] * std::abs(basis.values[static_cast<Eigen::Index>(a)]);
+        for (std::size_t j = 0; j < Dim; ++j) sum += at.stress[i][j] * abs(gradients[a][j]);
         force[a][i] += point.weight * sum;
       }
-    const Pack source = point.weight * divergence;
+    const Pack source = point.weight * at.divergence;
     mass[0] += source;
     for (std::size_t k = 0; k < Dim; ++k) mass[k + 1] += source * abs(point.pressure_basis[k]);
   }

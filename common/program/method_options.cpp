@@ -6,23 +6,19 @@
 #include "common/io/options.hpp"
 
 namespace talus::program {
-namespace {
 
-std::vector<std::string> names_of_regularisations() {
+void add_regularisation(CLI::App& app, std::string& name) {
   std::vector<std::string> names;
   for (const auto& each : rheology::regularisations()) names.push_back(rheology::name_of(each));
-  return names;
+  io::add_choice(app, "--regularisation", name,
+                 "Viscosity, eq. (9)-(12), or a control law without yield stress", names);
 }
-
-}  // namespace
 
 void add_method_options(CLI::App& app, MethodOptions& options) {
   io::add_choice(app, "--method", options.method,
                  "Newton on the regularised law, or interior point without regularisation",
                  {"newton", "interior-point"});
-  io::add_choice(app, "--regularisation", options.regularisation,
-                 "Viscosity, eq. (9)-(12), or a control law without yield stress",
-                 names_of_regularisations());
+  add_regularisation(app, options.regularisation);
   io::add_real(app, "--lambda-r", options.lambda_r, "Regularisation parameter, in sqrt(g/d)", 1e-15,
                1);
   app.add_option("--friction", options.friction,

@@ -22,6 +22,9 @@ struct MethodOptions {
 /// Adds them; set the scene's own defaults first.
 void add_method_options(CLI::App& app, MethodOptions& options);
 
+/// Adds --regularisation: every name of the registry.
+void add_regularisation(CLI::App& app, std::string& name);
+
 /// `defaults` for what the command line does not say.
 flow::ShearOptions shear_options(const MethodOptions& options, flow::ShearOptions defaults = {});
 
