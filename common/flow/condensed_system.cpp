@@ -54,7 +54,7 @@ template <int Dim>
 void CondensedSystem<Dim>::make_pattern() {
   const auto& mesh = space_.mesh();
   const auto size = static_cast<int>(node_of_row_.size());
-  std::vector<std::array<int, outer>> rows_of(mesh.elements.size());
+  rows_.resize(mesh.elements.size());
   std::vector<std::vector<int>> elements_of(static_cast<std::size_t>(size));
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
     for (std::size_t o = 0; o < outer; ++o) {
@@ -62,14 +62,14 @@ void CondensedSystem<Dim>::make_pattern() {
       const Eigen::Index node = mesh.elements[e][place / Dim];
       const int row = row_of_velocity_[static_cast<std::size_t>(
           space_.velocity_index(node, static_cast<int>(place % Dim)))];
-      rows_of[e][o] = row;
+      rows_[e][o] = row;
       if (row >= 0) elements_of[static_cast<std::size_t>(row)].push_back(static_cast<int>(e));
     }
   std::vector<int> starts{0}, indices, column;
   for (int j = 0; j < size; ++j) {
     column.clear();
     for (const int e : elements_of[static_cast<std::size_t>(j)])
-      for (const int row : rows_of[static_cast<std::size_t>(e)])
+      for (const int row : rows_[static_cast<std::size_t>(e)])
         if (row >= 0) column.push_back(row);
     std::ranges::sort(column);
     column.erase(std::ranges::unique(column).begin(), column.end());
@@ -79,35 +79,35 @@ void CondensedSystem<Dim>::make_pattern() {
   const std::vector<double> zeros(indices.size(), 0.0);
   matrix_ = Eigen::Map<const solve::SparseLu::Matrix>(size, size, starts.back(), starts.data(),
                                                       indices.data(), zeros.data());
-  map_.resize(mesh.elements.size());
+  const auto first_row = [](const std::array<int, outer>& rows, std::size_t node) {
+    const auto first = rows.begin() + static_cast<std::ptrdiff_t>(Dim * node);
+    const auto found = std::find_if(first, first + Dim, [](int row) { return row >= 0; });
+    return found == first + Dim ? -1 : *found;
+  };
+  places_.resize(mesh.elements.size());
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
-    for (std::size_t c = 0; c < outer; ++c) {
-      const int j = rows_of[e][c];
-      for (std::size_t r = 0; r < outer; ++r) {
-        const int i = rows_of[e][r];
-        int& place = map_[e][r * outer + c];
-        place = -1;
-        if (i < 0 || j < 0) continue;
-        const auto first = indices.begin() + starts[static_cast<std::size_t>(j)];
-        const auto last = indices.begin() + starts[static_cast<std::size_t>(j) + 1];
-        place = static_cast<int>(std::lower_bound(first, last, i) - indices.begin());
-      }
+    for (std::size_t b = 0; b < outer_nodes; ++b) {
+      const int j = first_row(rows_[e], b);
+      if (j < 0) continue;
+      const auto first = indices.begin() + starts[static_cast<std::size_t>(j)];
+      const auto last = indices.begin() + starts[static_cast<std::size_t>(j) + 1];
+      for (std::size_t a = 0; a < outer_nodes; ++a)
+        places_[e][b][a] =
+            static_cast<int>(std::lower_bound(first, last, first_row(rows_[e], a)) - first);
     }
 }
 
 template <int Dim>
 void CondensedSystem<Dim>::set_zero() {
   std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
-  local_sign_ = 1;
 }
 
-// Inverts S lane by lane, with pivoting; returns the signs of the determinants.
+// Inverts S lane by lane, with pivoting.
 template <int Dim>
-Pack CondensedSystem<Dim>::invert(std::size_t count,
-                                  const std::array<std::array<Pack, local>, local>& matrix,
+void CondensedSystem<Dim>::invert(std::size_t count, const LocalMatrix& matrix,
                                   LocalFactors& factors) {
   using Local = Eigen::Matrix<double, local, local>;
-  Pack sign = 1;
+  factors.sign = 1;
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     Local s = Local::Identity();
     if (lane < count)
@@ -117,22 +117,17 @@ Pack CondensedSystem<Dim>::invert(std::size_t count,
     const Eigen::PartialPivLU<Local> lu(s);
     const Local inverse = lu.inverse();
     const double determinant = lu.determinant();
-    sign[lane] = determinant > 0 ? 1 : determinant < 0 ? -1 : 0;
+    factors.sign *= determinant > 0 ? 1 : determinant < 0 ? -1 : 0;
     for (int i = 0; i < local; ++i)
       for (int j = 0; j < local; ++j)
         factors.inverse[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)][lane] =
             inverse(i, j);
   }
-  return sign;
 }
 
 template <int Dim>
-void CondensedSystem<Dim>::add(std::size_t number, BatchTangent<Dim>& tangent) {
-  const auto& batch = space_.batches()[number];
-  LocalFactors& f = factors_[number];
-  std::array<std::array<Pack, local>, local> s;           // A_ll
-  std::array<std::array<Pack, local>, outer> from_local;  // A_ol
-  std::array<std::array<Pack, outer>, local> from_outer;  // A_lo
+void CondensedSystem<Dim>::split(const BatchTangent<Dim>& tangent, LocalMatrix& s,
+                                 FromLocal& from_local, FromOuter& from_outer) {
   for (std::size_t i = 0; i < Dim; ++i) {
     const std::size_t at = interior_place<Dim>(i);
     for (std::size_t j = 0; j < Dim; ++j)
@@ -154,10 +149,17 @@ void CondensedSystem<Dim>::add(std::size_t number, BatchTangent<Dim>& tangent) {
       from_outer[Dim + k][o] = tangent.pressure_velocity[k][outer_place<Dim>(o)];
     }
   }
-  const Pack sign = invert(batch.count, s, f);
-  for (std::size_t lane = 0; lane < batch.count; ++lane)
-    local_sign_ *= static_cast<int>(sign[lane]);
+}
 
+template <int Dim>
+void CondensedSystem<Dim>::add(std::size_t number, const BatchTangent<Dim>& tangent) {
+  const auto& batch = space_.batches()[number];
+  LocalFactors& f = factors_[number];
+  LocalMatrix s;
+  FromLocal from_local;
+  FromOuter from_outer;
+  split(tangent, s, from_local, from_outer);
+  invert(batch.count, s, f);
   for (std::size_t i = 0; i < local; ++i)
     for (std::size_t o = 0; o < outer; ++o) {
       Pack forward = 0, back = 0;
@@ -168,18 +170,38 @@ void CondensedSystem<Dim>::add(std::size_t number, BatchTangent<Dim>& tangent) {
       f.to_local[i][o] = forward;
       f.to_outer[o][i] = back;
     }
-  double* values = matrix_.valuePtr();
-  for (std::size_t r = 0; r < outer; ++r) {
-    auto& row = tangent.velocity_velocity[outer_place<Dim>(r)];
-    for (std::size_t c = 0; c < outer; ++c) {
-      Pack entry = row[outer_place<Dim>(c)];
+  std::array<Pack, outer> entries;
+  for (std::size_t c = 0; c < outer; ++c) {
+    for (std::size_t r = 0; r < outer; ++r) {
+      Pack entry = tangent.velocity_velocity[outer_place<Dim>(r)][outer_place<Dim>(c)];
       for (std::size_t j = 0; j < local; ++j) entry -= from_local[r][j] * f.to_local[j][c];
-      for (std::size_t lane = 0; lane < batch.count; ++lane) {
-        const int place = map_[batch.elements[lane]][r * outer + c];
-        if (place >= 0) values[place] += entry[lane];
-      }
+      entries[r] = entry;
     }
+    for (std::size_t lane = 0; lane < batch.count; ++lane)
+      scatter(batch.elements[lane], c, lane, entries);
   }
+}
+
+// Adds to one column of the matrix; the rows of a node follow each other there.
+template <int Dim>
+void CondensedSystem<Dim>::scatter(std::size_t element, std::size_t column, std::size_t lane,
+                                   const std::array<Pack, outer>& entries) {
+  const auto& rows = rows_[element];
+  if (rows[column] < 0) return;
+  double* const values = matrix_.valuePtr() + matrix_.outerIndexPtr()[rows[column]];
+  const auto& places = places_[element][column / Dim];
+  for (std::size_t a = 0; a < outer_nodes; ++a) {
+    double* value = values + places[a];
+    for (std::size_t r = Dim * a; r < Dim * (a + 1); ++r)
+      if (rows[r] >= 0) *value++ += entries[r][lane];
+  }
+}
+
+template <int Dim>
+int CondensedSystem<Dim>::determinant_sign() const {
+  int sign = lu_->determinant_sign();
+  for (const LocalFactors& each : factors_) sign *= each.sign;
+  return sign;
 }
 
 template <int Dim>

@@ -34,40 +34,51 @@ class CondensedSystem {
   explicit CondensedSystem(const Space& space);
 
   void set_zero();
-  /// Condenses the tangents of a batch and adds what is left; destroys `tangent`.
-  void add(std::size_t batch, BatchTangent<Dim>& tangent);
+  /// Condenses the tangents of a batch and adds what is left. Batches of one colour may be added at
+  /// the same time.
+  void add(std::size_t batch, const BatchTangent<Dim>& tangent);
   /// False if the condensed matrix is singular.
   bool factor();
   /// Solves for velocities and pressures, fixed velocities zero. False if the result is not finite.
   bool solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& x) const;
   /// Sign of the determinant of the whole matrix, local unknowns included; 0 if singular.
-  int determinant_sign() const { return local_sign_ * (lu_ ? lu_->determinant_sign() : 0); }
+  int determinant_sign() const;
 
   /// Condensed unknowns, and stored entries of the factors.
   Eigen::Index unknowns() const { return matrix_.rows(); }
   double factor_entries() const { return lu_ ? lu_->factor_entries() : 0; }
+  double solves_per_factorisation() const { return lu_->solves_per_factorisation(); }
 
  private:
   static constexpr int outer = Dim * (Space::nodes_per_element - 1);
   static constexpr int local = Dim + Space::pressures;
+  static constexpr int outer_nodes = Space::nodes_per_element - 1;
   struct LocalFactors {
     std::array<std::array<Pack, local>, local> inverse;   // S⁻¹
     std::array<std::array<Pack, outer>, local> to_local;  // S⁻¹ A_lo
     std::array<std::array<Pack, local>, outer> to_outer;  // A_ol S⁻¹
+    int sign = 1;                                         // of det S, over all lanes
   };
+  using LocalMatrix = std::array<std::array<Pack, local>, local>;
+  using FromLocal = std::array<std::array<Pack, local>, outer>;  // A_ol
+  using FromOuter = std::array<std::array<Pack, outer>, local>;  // A_lo
   void number_rows();
   void make_pattern();
-  Pack invert(std::size_t count, const std::array<std::array<Pack, local>, local>& matrix,
-              LocalFactors& factors);
+  static void invert(std::size_t count, const LocalMatrix& matrix, LocalFactors& factors);
+  static void split(const BatchTangent<Dim>& tangent, LocalMatrix& s, FromLocal& from_local,
+                    FromOuter& from_outer);
+  void scatter(std::size_t element, std::size_t column, std::size_t lane,
+               const std::array<Pack, outer>& entries);
 
   const Space& space_;
   std::vector<int> row_of_velocity_;  // -1: fixed or interior
   std::vector<int> node_of_row_;
   solve::SparseLu::Matrix matrix_;
-  std::vector<std::array<int, static_cast<std::size_t>(outer) * outer>> map_;  // per element
-  std::vector<LocalFactors> factors_;                                          // per batch
+  std::vector<std::array<int, outer>> rows_;  // of an element's outer velocities
+  // Of an element, [b][a]: where the rows of outer node a begin in the columns of outer node b.
+  std::vector<std::array<std::array<int, outer_nodes>, outer_nodes>> places_;
+  std::vector<LocalFactors> factors_;  // per batch
   std::unique_ptr<solve::SparseLu> lu_;
-  int local_sign_ = 1;
 };
 
 extern template class CondensedSystem<2>;

@@ -1,14 +1,6 @@
 #include "common/flow/dense_flow.hpp"
 
-#include <limits>
-
 namespace talus::flow {
-namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-}  // namespace
-
 template <int Dim>
 DenseFlow<Dim>::DenseFlow(const Space& space, rheology::Rheology rheology,
                           const DenseLoad<Dim>& load, PenaltyOptions penalty)
@@ -44,50 +36,9 @@ const solve::Residual& DenseFlow<Dim>::evaluate(const State& state) {
 }
 
 template <int Dim>
-Pack DenseFlow<Dim>::tangent_penalty(std::size_t batch) const {
-  if (penalty_.kind == Penalty::plain) return penalty_.lambda_p;
-  Pack viscosity = 0;
-  for (const PointState<Dim>& at : states_[batch]) viscosity += at.viscosity;
-  return penalty_.lambda_p * Space::points_per_element / viscosity;
-}
-
-template <int Dim>
-bool DenseFlow<Dim>::linear_solve(const Eigen::VectorXd& right_hand_side, State& x) {
-  if (!is_factored_) {
-    auto tangent = std::make_unique<BatchTangent<Dim>>();
-    system_.set_zero();
-    for (std::size_t b = 0; b < states_.size(); ++b) {
-      batch_tangent<Dim>(space_, space_.batches()[b], states_[b], tangent_penalty(b), inertia_,
-                         factors_, *tangent);
-      add_open_sides(b, *tangent);
-      system_.add(b, *tangent);
-    }
-    ++factorisations_;
-    is_factored_ = system_.factor();
-    if (!is_factored_) return false;
-  }
-  // Refined until it no longer helps: this also takes the penalty out of the step.
-  constexpr int most_refinements = 4;
-  constexpr double worthwhile = 0.1;
-  Eigen::VectorXd correction;
-  if (!system_.solve(right_hand_side, correction)) return false;
-  x = State(correction);
-  double last = std::numeric_limits<double>::infinity();
-  for (int refinement = 0; refinement < most_refinements; ++refinement) {
-    const Eigen::VectorXd rest = right_hand_side - tangent_product(x);
-    const double norm = rest.norm();
-    if (norm > worthwhile * last || norm <= epsilon * right_hand_side.norm()) break;
-    last = norm;
-    if (!system_.solve(rest, correction)) return false;
-    x = x.moved(1, State(correction));
-  }
-  return x.value().allFinite();
-}
-
-template <int Dim>
 Eigen::VectorXd DenseFlow<Dim>::tangent_product(const State& x) const {
   Eigen::VectorXd product = Eigen::VectorXd::Zero(space_.size());
-  for (std::size_t b = 0; b < states_.size(); ++b) {
+  space_.for_each_batch([&](std::size_t b) {
     const auto& batch = space_.batches()[b];
     const BatchState<Dim> local(space_, batch, x);
     BatchForce<Dim> force;
@@ -119,7 +70,7 @@ Eigen::VectorXd DenseFlow<Dim>::tangent_product(const State& x) const {
       force.add(point, basis, gradients, change);
     }
     force.scatter(space_, batch, product);
-  }
+  });
   if (!space_.open_faces().empty()) add_open_sides(x, product);
   space_.clear_fixed(product);
   return product;
@@ -154,25 +105,6 @@ Eigen::VectorXd DenseFlow<Dim>::log_lambda_r_derivative(const State& state) cons
   Eigen::VectorXd derivative = (above.value - below.value) / (2 * step);
   space_.clear_fixed(derivative);
   return derivative;
-}
-
-template <int Dim>
-void DenseFlow<Dim>::add_open_sides(std::size_t number, BatchTangent<Dim>& tangent) const {
-  const auto& batch = space_.batches()[number];
-  for (const auto& face : space_.open_faces())
-    for (std::size_t lane = 0; lane < batch.count; ++lane) {
-      if (batch.elements[lane] != face.element) continue;
-      const auto side = open_side(space_, rheology_, static_pressure_, evaluated_, face);
-      for (std::size_t v = 0; v < OpenSide<Dim>::velocities; ++v) {
-        const auto row = side.tangent.row(static_cast<Eigen::Index>(v));
-        for (std::size_t c = 0; c < OpenSide<Dim>::unknowns; ++c) {
-          Pack& entry = c < OpenSide<Dim>::velocities
-                            ? tangent.velocity_velocity[v][c]
-                            : tangent.velocity_pressure[v][c - OpenSide<Dim>::velocities];
-          entry[lane] += row[static_cast<Eigen::Index>(c)];
-        }
-      }
-    }
 }
 
 template <int Dim>

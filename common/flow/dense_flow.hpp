@@ -12,6 +12,7 @@
 #include "common/flow/dense_kernels.hpp"
 #include "common/flow/open_boundary.hpp"
 #include "common/rheology/rheology.hpp"
+#include "common/solve/factor_lag.hpp"
 #include "common/solve/newton.hpp"
 
 namespace talus::flow {
@@ -34,6 +35,11 @@ struct PenaltyOptions {
   double lambda_p = 1e-4;
 };
 
+/// How the system of a Newton step is solved: by factors of its own matrix, or by GMRES with those
+/// of an earlier step for as long as that is cheaper. The second leaves an error of 1e-3 in a step
+/// and no determinant: it is for Newton's method alone, not for paths.
+enum class LinearSolver { direct, lagged };
+
 template <int Dim>
 class DenseFlow {
  public:
@@ -52,6 +58,8 @@ class DenseFlow {
   double load_factor() const { return load_factor_; }
   void set_load_factor(double factor) { load_factor_ = factor; }
   void set_tangent_factors(const TangentFactors& factors) { factors_ = factors; }
+  LinearSolver linear_solver() const { return linear_solver_; }
+  void set_linear_solver(LinearSolver solver) { linear_solver_ = solver; }
 
   /// Residual with its magnitude and computed round-off; keeps what the tangent needs.
   const solve::Residual& evaluate(const State& state);
@@ -71,6 +79,8 @@ class DenseFlow {
   const Eigen::VectorXd& reactions() const { return reactions_; }
   const CondensedSystem<Dim>& system() const { return system_; }
   int factorisations() const { return factorisations_; }
+  /// Iterations of GMRES with lagged factors, those in vain included.
+  int krylov_iterations() const { return krylov_iterations_; }
 
  private:
   using States = std::array<PointState<Dim>, Space::points_per_element>;
@@ -88,6 +98,8 @@ class DenseFlow {
                       solve::Residual& residual) const;
   void add_open_sides(std::size_t batch, BatchTangent<Dim>& tangent) const;
   void add_open_sides(const State& x, Eigen::VectorXd& product) const;
+  bool factor();
+  bool iterate(const Eigen::VectorXd& right_hand_side, State& x);
   Pack tangent_penalty(std::size_t batch) const;
   double residual_penalty() const {
     return penalty_.kind == Penalty::plain ? penalty_.lambda_p : 0;
@@ -106,7 +118,9 @@ class DenseFlow {
   solve::Residual residual_;
   Eigen::VectorXd reactions_;
   bool is_factored_ = false;
-  int factorisations_ = 0;
+  LinearSolver linear_solver_ = LinearSolver::direct;
+  solve::FactorLag lag_;
+  int factorisations_ = 0, krylov_iterations_ = 0;
 };
 
 extern template class DenseFlow<2>;

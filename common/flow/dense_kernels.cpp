@@ -3,13 +3,152 @@
 namespace talus::flow {
 namespace {
 
-// What the columns of the tangent need at one quadrature point.
+// What the tangent needs of a node at one quadrature point.
 template <int Dim>
-struct ColumnTerms {
-  PackVector<Dim> gradient;  // G_b
-  PackVector<Dim> strain;    // b_b = γ·G_b
-  Pack advection;            // u·G_b
+struct NodeTerms {
+  PackVector<Dim> gradient;  // G_a
+  PackVector<Dim> strain;    // b_a = γ·G_a
 };
+template <int Dim>
+using ElementTerms = std::array<std::array<NodeTerms<Dim>, DenseSpace<Dim>::points_per_element>,
+                                DenseSpace<Dim>::nodes_per_element>;
+template <int Dim>
+using States = std::array<PointState<Dim>, DenseSpace<Dim>::points_per_element>;
+
+template <int Dim>
+void fill(const DenseSpace<Dim>& space, const typename DenseSpace<Dim>::Batch& batch,
+          const States<Dim>& states, ElementTerms<Dim>& terms) {
+  for (std::size_t q = 0; q < batch.points.size(); ++q) {
+    PackGradients<Dim> gradients;
+    physical_gradients<Dim>(batch.points[q], space.bases()[q], gradients);
+    const PackTensor<Dim> gamma = rate_of_strain<Dim>(states[q].gradient);
+    for (std::size_t a = 0; a < gradients.size(); ++a) {
+      NodeTerms<Dim>& at = terms[a][q];
+      at.gradient = gradients[a];
+      for (std::size_t i = 0; i < Dim; ++i) {
+        at.strain[i] = 0;
+        for (std::size_t j = 0; j < Dim; ++j) at.strain[i] += gamma[i][j] * gradients[a][j];
+      }
+    }
+  }
+}
+
+template <int Dim>
+void set_pressure_blocks(const typename DenseSpace<Dim>::Batch& batch, const States<Dim>& states,
+                         const ElementTerms<Dim>& terms, const Pack& penalty, double factor,
+                         BatchTangent<Dim>& tangent) {
+  constexpr std::size_t pressures = DenseSpace<Dim>::pressures;
+  std::array<std::array<Pack, pressures>, DenseSpace<Dim>::points_per_element> psi;  // w ψ_k
+  tangent.pressure_pressure = {};
+  for (std::size_t q = 0; q < psi.size(); ++q) {
+    const auto& point = batch.points[q];
+    psi[q][0] = point.weight;
+    for (std::size_t k = 1; k < pressures; ++k)
+      psi[q][k] = point.weight * point.pressure_basis[k - 1];
+    for (std::size_t k = 0; k < pressures; ++k)
+      for (std::size_t l = 0; l < pressures; ++l)
+        tangent.pressure_pressure[k][l] -=
+            penalty * psi[q][k] * (l == 0 ? Pack(1) : point.pressure_basis[l - 1]);
+  }
+  for (std::size_t a = 0; a < terms.size(); ++a)
+    for (std::size_t i = 0; i < Dim; ++i) {
+      std::array<Pack, pressures> column{}, row{};
+      for (std::size_t q = 0; q < psi.size(); ++q) {
+        const Pack divergence = terms[a][q].gradient[i];
+        const Pack stress = factor * states[q].pressure_slope * terms[a][q].strain[i] - divergence;
+        for (std::size_t k = 0; k < pressures; ++k) {
+          column[k] += psi[q][k] * stress;
+          row[k] -= psi[q][k] * divergence;
+        }
+      }
+      for (std::size_t k = 0; k < pressures; ++k) {
+        tangent.velocity_pressure[Dim * a + i][k] = column[k];
+        tangent.pressure_velocity[k][Dim * a + i] = row[k];
+      }
+    }
+}
+
+// Without advection velocities see a symmetric block: half of it is computed.
+template <int Dim>
+void set_viscous_blocks(const typename DenseSpace<Dim>::Batch& batch, const States<Dim>& states,
+                        const ElementTerms<Dim>& terms, double factor, BatchTangent<Dim>& tangent) {
+  std::array<NodeTerms<Dim>, DenseSpace<Dim>::points_per_element> row;  // w η G_a, w (η'/|γ|) b_a
+  for (std::size_t a = 0; a < terms.size(); ++a) {
+    for (std::size_t q = 0; q < row.size(); ++q) {
+      const Pack viscous = batch.points[q].weight * states[q].viscosity;
+      const Pack slope = factor * batch.points[q].weight * states[q].shear_rate_slope;
+      for (std::size_t i = 0; i < Dim; ++i) {
+        row[q].gradient[i] = viscous * terms[a][q].gradient[i];
+        row[q].strain[i] = slope * terms[a][q].strain[i];
+      }
+    }
+    for (std::size_t b = a; b < terms.size(); ++b) {
+      PackTensor<Dim> block{};
+      Pack diagonal = 0;
+      for (std::size_t q = 0; q < row.size(); ++q) {
+        const NodeTerms<Dim>& column = terms[b][q];
+        Pack product = row[q].gradient[0] * column.gradient[0];
+        for (std::size_t i = 1; i < Dim; ++i) product += row[q].gradient[i] * column.gradient[i];
+        diagonal += product;
+        for (std::size_t i = 0; i < Dim; ++i)
+          for (std::size_t j = 0; j < Dim; ++j)
+            block[i][j] +=
+                row[q].gradient[j] * column.gradient[i] + row[q].strain[i] * column.strain[j];
+      }
+      for (std::size_t i = 0; i < Dim; ++i) {
+        block[i][i] += diagonal;
+        for (std::size_t j = 0; j < Dim; ++j)
+          tangent.velocity_velocity[Dim * a + i][Dim * b + j] =
+              tangent.velocity_velocity[Dim * b + j][Dim * a + i] = block[i][j];
+      }
+    }
+  }
+}
+
+// ∂_j u_i meets N_a N_b and is computed once for both nodes; u·G_b differs.
+template <int Dim>
+void add_advective_blocks(const DenseSpace<Dim>& space,
+                          const typename DenseSpace<Dim>::Batch& batch, const States<Dim>& states,
+                          const ElementTerms<Dim>& terms, double factor,
+                          BatchTangent<Dim>& tangent) {
+  constexpr std::size_t points = DenseSpace<Dim>::points_per_element;
+  const auto value = [&](std::size_t q, std::size_t a) {
+    return space.bases()[q].values[static_cast<Eigen::Index>(a)];
+  };
+  std::array<std::array<Pack, points>, DenseSpace<Dim>::nodes_per_element> along;  // w u·G_a
+  for (std::size_t a = 0; a < along.size(); ++a)
+    for (std::size_t q = 0; q < points; ++q) {
+      Pack sum = 0;
+      for (std::size_t i = 0; i < Dim; ++i) sum += states[q].velocity[i] * terms[a][q].gradient[i];
+      along[a][q] = factor * batch.points[q].weight * sum;
+    }
+  std::array<PackTensor<Dim>, points> row;  // w N_a grad u
+  for (std::size_t a = 0; a < along.size(); ++a) {
+    for (std::size_t q = 0; q < points; ++q) {
+      const Pack weight = factor * value(q, a) * batch.points[q].weight;
+      for (std::size_t i = 0; i < Dim; ++i)
+        for (std::size_t j = 0; j < Dim; ++j) row[q][i][j] = weight * states[q].gradient[i][j];
+    }
+    for (std::size_t b = a; b < along.size(); ++b) {
+      PackTensor<Dim> block{};
+      Pack above = 0, below = 0;
+      for (std::size_t q = 0; q < points; ++q) {
+        above += value(q, a) * along[b][q];
+        below += value(q, b) * along[a][q];
+        for (std::size_t i = 0; i < Dim; ++i)
+          for (std::size_t j = 0; j < Dim; ++j) block[i][j] += row[q][i][j] * value(q, b);
+      }
+      for (std::size_t i = 0; i < Dim; ++i)
+        for (std::size_t j = 0; j < Dim; ++j) {
+          tangent.velocity_velocity[Dim * a + i][Dim * b + j] +=
+              i == j ? block[i][j] + above : block[i][j];
+          if (a != b)
+            tangent.velocity_velocity[Dim * b + i][Dim * a + j] +=
+                i == j ? block[i][j] + below : block[i][j];
+        }
+    }
+  }
+}
 
 }  // namespace
 
@@ -18,100 +157,12 @@ void batch_tangent(const DenseSpace<Dim>& space, const typename DenseSpace<Dim>:
                    const std::array<PointState<Dim>, DenseSpace<Dim>::points_per_element>& states,
                    const Pack& penalty, double inertia, const TangentFactors& factors,
                    BatchTangent<Dim>& tangent) {
-  constexpr std::size_t nodes = DenseSpace<Dim>::nodes_per_element;
-  constexpr std::size_t points = DenseSpace<Dim>::points_per_element;
-  constexpr std::size_t pressures = DenseSpace<Dim>::pressures;
-  const auto& bases = space.bases();
-  const auto value = [&](std::size_t q, std::size_t a) {
-    return bases[q].values[static_cast<Eigen::Index>(a)];
-  };
+  ElementTerms<Dim> terms;
+  fill(space, batch, states, terms);
+  set_pressure_blocks(batch, states, terms, penalty, factors.pressure, tangent);
+  set_viscous_blocks(batch, states, terms, factors.shear_rate, tangent);
   const double advection = inertia * factors.inertia;
-
-  std::array<std::array<ColumnTerms<Dim>, points>, nodes> columns;
-  tangent.pressure_pressure = {};
-  for (std::size_t q = 0; q < points; ++q) {
-    const auto& point = batch.points[q];
-    PackGradients<Dim> gradients;
-    physical_gradients<Dim>(point, bases[q], gradients);
-    const PackTensor<Dim> gamma = rate_of_strain<Dim>(states[q].gradient);
-    for (std::size_t b = 0; b < nodes; ++b) {
-      ColumnTerms<Dim>& column = columns[b][q];
-      column.gradient = gradients[b];
-      column.advection = 0;
-      for (std::size_t i = 0; i < Dim; ++i) {
-        column.strain[i] = 0;
-        for (std::size_t j = 0; j < Dim; ++j) column.strain[i] += gamma[i][j] * gradients[b][j];
-        column.advection += states[q].velocity[i] * gradients[b][i];
-      }
-    }
-    std::array<Pack, pressures> psi;
-    psi[0] = 1;
-    for (std::size_t k = 0; k < Dim; ++k) psi[k + 1] = point.pressure_basis[k];
-    for (std::size_t k = 0; k < pressures; ++k)
-      for (std::size_t l = 0; l < pressures; ++l)
-        tangent.pressure_pressure[k][l] -= penalty * point.weight * psi[k] * psi[l];
-  }
-
-  struct RowTerms {
-    PackVector<Dim> viscous, slope;  // w η G_a, w (η'/|γ|) b_a
-    Pack inertia;                    // w N_a
-    PackTensor<Dim> shear;           // w N_a grad u
-  };
-  std::array<RowTerms, points> rows;
-  for (std::size_t a = 0; a < nodes; ++a) {
-    std::array<std::array<Pack, pressures>, Dim> to_pressure{}, from_pressure{};
-    for (std::size_t q = 0; q < points; ++q) {
-      const auto& point = batch.points[q];
-      const ColumnTerms<Dim>& own = columns[a][q];
-      RowTerms& row = rows[q];
-      const Pack viscous = point.weight * states[q].viscosity;
-      const Pack slope = factors.shear_rate * point.weight * states[q].shear_rate_slope;
-      row.inertia = advection * value(q, a) * point.weight;
-      for (std::size_t i = 0; i < Dim; ++i) {
-        row.viscous[i] = viscous * own.gradient[i];
-        row.slope[i] = slope * own.strain[i];
-        for (std::size_t j = 0; j < Dim; ++j)
-          row.shear[i][j] = row.inertia * states[q].gradient[i][j];
-        const Pack divergence = point.weight * own.gradient[i];
-        const Pack stress =
-            factors.pressure * point.weight * states[q].pressure_slope * own.strain[i];
-        for (std::size_t k = 0; k < pressures; ++k) {
-          const Pack psi = k == 0 ? Pack(1) : point.pressure_basis[k - 1];
-          to_pressure[i][k] += psi * (stress - divergence);
-          from_pressure[i][k] -= psi * divergence;
-        }
-      }
-    }
-    for (std::size_t i = 0; i < Dim; ++i)
-      for (std::size_t k = 0; k < pressures; ++k) {
-        tangent.velocity_pressure[Dim * a + i][k] = to_pressure[i][k];
-        tangent.pressure_velocity[k][Dim * a + i] = from_pressure[i][k];
-      }
-    for (std::size_t b = 0; b < nodes; ++b) {
-      PackTensor<Dim> block{};
-      Pack diagonal = 0;
-      for (std::size_t q = 0; q < points; ++q) {
-        const RowTerms& row = rows[q];
-        const ColumnTerms<Dim>& column = columns[b][q];
-        for (std::size_t i = 0; i < Dim; ++i) {
-          diagonal += row.viscous[i] * column.gradient[i];
-          for (std::size_t j = 0; j < Dim; ++j)
-            block[i][j] += row.viscous[j] * column.gradient[i] + row.slope[i] * column.strain[j];
-        }
-      }
-      if (advection != 0)
-        for (std::size_t q = 0; q < points; ++q) {
-          diagonal += rows[q].inertia * columns[b][q].advection;
-          for (std::size_t i = 0; i < Dim; ++i)
-            for (std::size_t j = 0; j < Dim; ++j) block[i][j] += rows[q].shear[i][j] * value(q, b);
-        }
-      for (std::size_t i = 0; i < Dim; ++i) {
-        block[i][i] += diagonal;
-        for (std::size_t j = 0; j < Dim; ++j)
-          tangent.velocity_velocity[Dim * a + i][Dim * b + j] = block[i][j];
-      }
-    }
-  }
+  if (advection != 0) add_advective_blocks(space, batch, states, terms, advection, tangent);
 }
 
 template void batch_tangent(const DenseSpace<2>&, const DenseSpace<2>::Batch&,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <stdexcept>
 
 #include "common/flow/dense_flow.hpp"
 
@@ -14,8 +15,12 @@ class DensePath {
  public:
   using State = solve::CompensatedVector;
 
-  /// `flow` must outlive the path.
-  explicit DensePath(DenseFlow<Dim>& flow) : flow_(flow) {}
+  /// `flow` must outlive the path. Throws std::invalid_argument if its linear solver gives no
+  /// determinants.
+  explicit DensePath(DenseFlow<Dim>& flow) : flow_(flow) {
+    if (flow.linear_solver() != LinearSolver::direct)
+      throw std::invalid_argument("a path needs the determinants of a direct linear solver");
+  }
 
   const DenseFlow<Dim>& flow() const { return flow_; }
   const solve::Residual& evaluate(const State& state) {

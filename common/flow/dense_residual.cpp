@@ -108,7 +108,7 @@ void DenseFlow<Dim>::assemble(const Regularisation& regularisation,
   residual.magnitude = residual.value.cwiseAbs();
   residual.round_off = epsilon * residual.magnitude;
   residual.block_ends = {space_.velocity_count(), space_.size()};
-  for (std::size_t b = 0; b < space_.batches().size(); ++b) {
+  space_.for_each_batch([&](std::size_t b) {
     const auto& batch = space_.batches()[b];
     const BatchState<Dim> local(space_, batch, state);
     const Uncertainty<Dim> uncertainty = uncertainty_of(local, state.resolution());
@@ -150,7 +150,7 @@ void DenseFlow<Dim>::assemble(const Regularisation& regularisation,
     force.scatter(space_, batch, residual.value);
     magnitude.scatter(space_, batch, residual.magnitude);
     round_off.scatter(space_, batch, residual.round_off);
-  }
+  });
 }
 
 template <int Dim>

@@ -76,7 +76,7 @@ void DenseSpace<Dim>::constrain() {
 template <int Dim>
 void DenseSpace<Dim>::make_batches() {
   const auto rule = gauss_rule<Dim>(3);
-  for (const auto& elements : colour(mesh_))
+  for (const auto& elements : colour(mesh_)) {
     for (std::size_t first = 0; first < elements.size(); first += lanes) {
       Batch& batch = batches_.emplace_back();
       batch.count = std::min(lanes, elements.size() - first);
@@ -99,6 +99,8 @@ void DenseSpace<Dim>::make_batches() {
         }
       }
     }
+    colour_ends_.push_back(batches_.size());
+  }
 }
 
 template <int Dim>

@@ -15,6 +15,7 @@
 #include "common/flow/boundary_condition.hpp"
 #include "common/flow/geometry.hpp"
 #include "common/solve/compensated_vector.hpp"
+#include "common/solve/parallel.hpp"
 
 namespace talus::flow {
 
@@ -75,6 +76,19 @@ class DenseSpace {
   void clear_fixed(Eigen::VectorXd& values) const;
 
   const std::vector<Batch>& batches() const { return batches_; }
+  /// Where each colour ends among the batches.
+  const std::vector<std::size_t>& colour_ends() const { return colour_ends_; }
+  /// Calls body(b) for every batch, colour by colour, those of a colour on several threads: body
+  /// may add to what belongs to nodes or elements, and every sum keeps its order.
+  template <class Body>
+  void for_each_batch(const Body& body) const {
+    constexpr std::size_t least = Dim == 3 ? 8 : 64;  // worth starting a thread for
+    std::size_t first = 0;
+    for (const std::size_t end : colour_ends_) {
+      solve::parallel_for(first, end, least, body);
+      first = end;
+    }
+  }
   /// Basis values and reference gradients at the quadrature points, the same in every element.
   const std::vector<fem::QuadraticBasis<Dim>>& bases() const { return bases_; }
   /// Sides with an open boundary, and whether their pressure is open too.
@@ -117,6 +131,7 @@ class DenseSpace {
   Eigen::VectorXd traction_load_;
   std::vector<fem::QuadraticBasis<Dim>> bases_;
   std::vector<Batch> batches_;
+  std::vector<std::size_t> colour_ends_;  // among the batches
 };
 
 extern template class DenseSpace<2>;

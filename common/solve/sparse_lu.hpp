@@ -30,6 +30,9 @@ class SparseLu {
   int determinant_sign() const;
   /// Stored entries of L and U.
   double factor_entries() const;
+  /// How many solves cost as much as the last factorisation: counted in operations, so the same on
+  /// every run.
+  double solves_per_factorisation() const;
 
  private:
   struct Factors;  // keeps UMFPACK out of this header

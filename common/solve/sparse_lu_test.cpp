@@ -66,6 +66,17 @@ BOOST_AUTO_TEST_CASE(it_solves_what_dense_elimination_solves) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_factorisation_costs_more_solves_the_more_the_factors_fill) {
+  double last = 0;
+  for (const int side : {4, 12, 36}) {
+    const GridMatrix grid = grid_matrix(side, 2, 1);
+    SparseLu lu(grid.matrix, grid.node_of_row);
+    BOOST_REQUIRE(lu.factor(grid.matrix));
+    BOOST_TEST(lu.solves_per_factorisation() > std::max(last, 1.0));
+    last = lu.solves_per_factorisation();
+  }
+}
+
 BOOST_AUTO_TEST_CASE(one_analysis_serves_every_matrix_of_its_pattern) {
   const GridMatrix first = grid_matrix(5, 2, 1), second = grid_matrix(5, 2, 2);
   SparseLu lu(first.matrix, first.node_of_row);

@@ -1,0 +1,117 @@
+// The linear systems of velocity-pressure flow.
+#include <limits>
+
+#include "common/flow/dense_flow.hpp"
+#include "common/solve/gmres.hpp"
+
+namespace talus::flow {
+
+template <int Dim>
+bool DenseFlow<Dim>::linear_solve(const Eigen::VectorXd& right_hand_side, State& x) {
+  if (!is_factored_ && linear_solver_ == LinearSolver::lagged && iterate(right_hand_side, x))
+    return true;
+  if (!is_factored_ && !factor()) return false;
+  // Refined until it no longer helps: this also takes the penalty out of the step.
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  constexpr int most_refinements = 4;
+  constexpr double worthwhile = 0.1;
+  Eigen::VectorXd correction;
+  if (!system_.solve(right_hand_side, correction)) return false;
+  x = State(correction);
+  double last = std::numeric_limits<double>::infinity();
+  for (int refinement = 0; refinement < most_refinements; ++refinement) {
+    const Eigen::VectorXd rest = right_hand_side - tangent_product(x);
+    const double norm = rest.norm();
+    if (norm > worthwhile * last || norm <= epsilon * right_hand_side.norm()) break;
+    last = norm;
+    if (!system_.solve(rest, correction)) return false;
+    x = x.moved(1, State(correction));
+  }
+  return x.value().allFinite();
+}
+
+template <int Dim>
+bool DenseFlow<Dim>::factor() {
+  system_.set_zero();
+  space_.for_each_batch([&](std::size_t b) {
+    BatchTangent<Dim> tangent;
+    batch_tangent<Dim>(space_, space_.batches()[b], states_[b], tangent_penalty(b), inertia_,
+                       factors_, tangent);
+    add_open_sides(b, tangent);
+    system_.add(b, tangent);
+  });
+  ++factorisations_;
+  is_factored_ = system_.factor();
+  lag_ = {};
+  if (is_factored_) lag_.factored(system_.solves_per_factorisation());
+  return is_factored_;
+}
+
+// With M the matrix last factored: M⁻¹J x = M⁻¹b by GMRES, which takes the penalty out as well.
+template <int Dim>
+bool DenseFlow<Dim>::iterate(const Eigen::VectorXd& right_hand_side, State& x) {
+  constexpr double tolerance = 1e-3;  // of a step: Newton then gains three digits at most
+  Eigen::VectorXd first, scaled;
+  if (lag_.budget() == 0 || !system_.solve(right_hand_side, first)) return false;
+  // Velocities and pressures, whose units differ, are each measured by their first approximation.
+  const Eigen::Index split = space_.velocity_count();
+  Eigen::VectorXd units(first.size());
+  const auto size = [](const auto& part) {
+    return std::max(part.norm(), std::numeric_limits<double>::min());
+  };
+  units.head(split).setConstant(size(first.head(split)));
+  units.tail(units.size() - split).setConstant(size(first.tail(units.size() - split)));
+  const auto product = [&](const Eigen::VectorXd& direction) {
+    Eigen::VectorXd result;
+    system_.solve(tangent_product(State(direction.cwiseProduct(units).eval())), result);
+    return result.cwiseQuotient(units).eval();
+  };
+  const auto summary =
+      solve::gmres(product, first.cwiseQuotient(units), scaled, {tolerance, lag_.budget()});
+  krylov_iterations_ += summary.iterations;
+  if (!summary.converged) return false;
+  lag_.iterated(summary.iterations);
+  x = State(scaled.cwiseProduct(units).eval());
+  return x.value().allFinite();
+}
+
+template <int Dim>
+Pack DenseFlow<Dim>::tangent_penalty(std::size_t batch) const {
+  if (penalty_.kind == Penalty::plain) return penalty_.lambda_p;
+  Pack viscosity = 0;
+  for (const PointState<Dim>& at : states_[batch]) viscosity += at.viscosity;
+  return penalty_.lambda_p * Space::points_per_element / viscosity;
+}
+
+template <int Dim>
+void DenseFlow<Dim>::add_open_sides(std::size_t number, BatchTangent<Dim>& tangent) const {
+  const auto& batch = space_.batches()[number];
+  for (const auto& face : space_.open_faces())
+    for (std::size_t lane = 0; lane < batch.count; ++lane) {
+      if (batch.elements[lane] != face.element) continue;
+      const auto side = open_side(space_, rheology_, static_pressure_, evaluated_, face);
+      for (std::size_t v = 0; v < OpenSide<Dim>::velocities; ++v) {
+        const auto row = side.tangent.row(static_cast<Eigen::Index>(v));
+        for (std::size_t c = 0; c < OpenSide<Dim>::unknowns; ++c) {
+          Pack& entry = c < OpenSide<Dim>::velocities
+                            ? tangent.velocity_velocity[v][c]
+                            : tangent.velocity_pressure[v][c - OpenSide<Dim>::velocities];
+          entry[lane] += row[static_cast<Eigen::Index>(c)];
+        }
+      }
+    }
+}
+
+// The class is instantiated in dense_flow.cpp, which does not see what is defined here.
+template bool DenseFlow<2>::linear_solve(const Eigen::VectorXd&, State&);
+template bool DenseFlow<3>::linear_solve(const Eigen::VectorXd&, State&);
+template bool DenseFlow<2>::factor();
+template bool DenseFlow<3>::factor();
+template bool DenseFlow<2>::iterate(const Eigen::VectorXd&, State&);
+template bool DenseFlow<3>::iterate(const Eigen::VectorXd&, State&);
+template Pack DenseFlow<2>::tangent_penalty(std::size_t) const;
+template Pack DenseFlow<3>::tangent_penalty(std::size_t) const;
+template void DenseFlow<2>::add_open_sides(std::size_t, BatchTangent<2>&) const;
+template void DenseFlow<3>::add_open_sides(std::size_t, BatchTangent<3>&) const;
+
+}  // namespace talus::flow

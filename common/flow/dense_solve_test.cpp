@@ -1,0 +1,167 @@
+// How the systems of velocity-pressure flow are assembled and solved: threads, lagged factors.
+#include <boost/test/unit_test.hpp>
+
+#include "common/flow/dense_path.hpp"
+#include "common/flow/dense_test_problems.hpp"
+
+using namespace talus;
+using namespace talus::flow;
+
+namespace {
+
+const rheology::Rheology eq12{{}, rheology::ChauchatMedale{}, 1e-2};
+constexpr solve::NewtonOptions newton_options{.line_search = solve::LineSearch::residual_norm};
+
+struct Threads {  // as many in one test, one again after it
+  explicit Threads(int count) { solve::set_threads(count); }
+  ~Threads() { solve::set_threads(1); }
+};
+
+Mesh<3> bricks(int n) {
+  std::vector<double> line;
+  for (int i = 0; i <= n; ++i) line.push_back(i / static_cast<double>(n));
+  return curved(box_mesh(line, line, line));
+}
+
+// Everything assembled at a state, and one step.
+struct Assembled {
+  Eigen::VectorXd residual, magnitude, round_off, step, product;
+  int sign;
+  bool operator==(const Assembled&) const = default;
+};
+
+template <int Dim>
+Assembled assemble(const DenseSpace<Dim>& space, int thread_count) {
+  const Threads threads(thread_count);
+  DenseFlow<Dim> flow(space, eq12, test_load<Dim>(1));
+  const auto state = state_of(space, {"", 1, 1, 0.5, 1});
+  const solve::Residual residual = flow.evaluate(state);
+  solve::CompensatedVector step;
+  BOOST_REQUIRE(flow.linear_solve(residual.value, step));
+  return {residual.value, residual.magnitude,          residual.round_off,
+          step.value(),   flow.tangent_product(state), flow.determinant_sign()};
+}
+
+// Shear between two plates, the upper one pulled along: a start is its speed.
+class Sheared {
+ public:
+  explicit Sheared(LinearSolver solver) : flow_(space_, eq12, load()) {
+    flow_.set_linear_solver(solver);
+  }
+  DenseFlow<2>& flow() { return flow_; }
+  solve::CompensatedVector start() const { return space_.start(); }
+
+ private:
+  static DenseLoad<2> load() {
+    return {[](const Point<2>&) { return 2.0; },
+            [](const Point<2>& x) { return Point<2>(1.5 * x[1], 0.1); }};
+  }
+  static BoundaryConditions<2> conditions() {
+    BoundaryConditions<2> all = mixed_conditions<2>(false);
+    all["left"] = no_slip<2>();
+    return all;
+  }
+  DenseSpace<2> space_{awkward_mesh2(6, 6), conditions()};
+  DenseFlow<2> flow_;
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(any_number_of_threads_gives_the_same_bits) {
+  const DenseSpace<2> plane(awkward_mesh2(40, 40), mixed_conditions<2>());
+  const DenseSpace<3> box(bricks(6), mixed_conditions<3>());
+  const Assembled plane_alone = assemble(plane, 1), box_alone = assemble(box, 1);
+  for (const int count : {2, 3, 5}) {
+    BOOST_TEST((assemble(plane, count) == plane_alone), count << " threads, 2D");
+    BOOST_TEST((assemble(box, count) == box_alone), count << " threads, 3D");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(batches_of_a_colour_share_no_node_and_each_is_visited_once) {
+  const DenseSpace<3> space(bricks(4), mixed_conditions<3>());
+  std::vector<int> times(space.batches().size(), 0);
+  space.for_each_batch([&](std::size_t b) { ++times[b]; });
+  for (const int each : times) BOOST_TEST(each == 1);
+  // More threads than batches: what is then met at the same time is a whole colour.
+  std::vector<std::size_t> colour;
+  const auto disjoint = [&] {
+    std::vector<bool> used(space.mesh().nodes.size(), false);
+    for (const std::size_t b : colour)
+      for (std::size_t lane = 0; lane < space.batches()[b].count; ++lane)
+        for (const auto node : space.mesh().elements[space.batches()[b].elements[lane]]) {
+          if (used[static_cast<std::size_t>(node)]) return false;
+          used[static_cast<std::size_t>(node)] = true;
+        }
+    return true;
+  };
+  std::size_t first = 0, colours = 0;
+  for (const std::size_t end : space.colour_ends()) {
+    colour.clear();
+    for (std::size_t b = first; b < end; ++b) colour.push_back(b);
+    BOOST_TEST(disjoint());
+    first = end;
+    ++colours;
+  }
+  BOOST_TEST(colours == 8U);
+  for (std::size_t b = 0; b < times.size(); ++b) colour.push_back(b);
+  BOOST_TEST(!disjoint());  // negative control
+}
+
+BOOST_AUTO_TEST_CASE(lagged_factors_find_the_same_flow_with_fewer_factorisations) {
+  Sheared direct(LinearSolver::direct), lagged(LinearSolver::lagged);
+  auto expected = direct.start(), found = lagged.start();
+  const auto direct_newton = solve::newton(direct.flow(), expected, newton_options);
+  const auto lagged_newton = solve::newton(lagged.flow(), found, newton_options);
+  BOOST_REQUIRE(is_success(direct_newton.end));
+  BOOST_REQUIRE(is_success(lagged_newton.end));
+  BOOST_TEST(direct.flow().factorisations() == direct_newton.iterations());
+  BOOST_TEST(direct.flow().krylov_iterations() == 0);
+  BOOST_TEST(lagged.flow().factorisations() <= direct.flow().factorisations() / 2);
+  BOOST_TEST(lagged.flow().krylov_iterations() > 0);
+  BOOST_TEST(lagged_newton.iterations() <= direct_newton.iterations() + 2);
+  BOOST_TEST((found.value() - expected.value()).norm() < 1e-9 * expected.value().norm());
+}
+
+BOOST_AUTO_TEST_CASE(a_lagged_step_solves_its_own_system_and_not_that_of_the_factors) {
+  Sheared sheared(LinearSolver::lagged);
+  DenseFlow<2>& flow = sheared.flow();
+  auto state = sheared.start();
+  BOOST_REQUIRE(is_success(solve::newton(flow, state, newton_options).end));
+  const int before = flow.factorisations();
+  flow.set_load_factor(1.1);
+  const Eigen::VectorXd b = flow.evaluate(state.moved(0.1, state)).value;
+  solve::CompensatedVector step, of_old_factors;
+  BOOST_REQUIRE(flow.linear_solve(b, step));
+  BOOST_TEST(flow.factorisations() == before);
+  Eigen::VectorXd unrefined;
+  BOOST_REQUIRE(flow.system().solve(b, unrefined));
+  const auto residual = [&](const solve::CompensatedVector& x) {
+    return (b - flow.tangent_product(x)).norm() / b.norm();
+  };
+  BOOST_TEST(residual(step) < 1e-2);
+  BOOST_TEST(residual(solve::CompensatedVector(unrefined)) > 2e-2);  // negative control
+}
+
+BOOST_AUTO_TEST_CASE(useless_factors_are_replaced) {
+  Sheared sheared(LinearSolver::lagged), fresh(LinearSolver::direct);
+  DenseFlow<2>& flow = sheared.flow();
+  auto state = sheared.start();
+  BOOST_REQUIRE(is_success(solve::newton(flow, state, newton_options).end));
+  const int before = flow.factorisations();
+  flow.set_lambda_r(1e-7);  // at rest: every viscosity up by 1e5
+  const Eigen::VectorXd b = flow.evaluate(sheared.start()).value;
+  solve::CompensatedVector x, expected;
+  BOOST_REQUIRE(flow.linear_solve(b, x));
+  BOOST_TEST(flow.factorisations() == before + 1);
+  fresh.flow().set_lambda_r(1e-7);
+  fresh.flow().evaluate(fresh.start());
+  BOOST_REQUIRE(fresh.flow().linear_solve(b, expected));
+  BOOST_TEST(x.value() == expected.value());
+}
+
+BOOST_AUTO_TEST_CASE(a_path_refuses_a_solver_without_determinants) {
+  Sheared sheared(LinearSolver::lagged);
+  BOOST_CHECK_THROW(LoadPath<2>{sheared.flow()}, std::invalid_argument);
+  sheared.flow().set_linear_solver(LinearSolver::direct);
+  BOOST_CHECK_NO_THROW(LoadPath<2>{sheared.flow()});
+}
