@@ -11,6 +11,7 @@
 
 #include "common/io/options.hpp"
 #include "common/program/method_options.hpp"
+#include "common/solve/parallel.hpp"
 #include "common/solve/stopwatch.hpp"
 #include "twod/cylinder_sweep.hpp"
 
@@ -25,6 +26,7 @@ struct Options {
   std::string output = "results/cylinder";
   double lambda_p = 0;  // 0: the penalty's own default
   bool no_inertia = false, plot = false;
+  int threads = 1;
 };
 
 constexpr double smallest_loading = 1e-6, largest_loading = 0.07;
@@ -78,6 +80,7 @@ std::string advice_for(const Options& options) {
 int run(Options& options) {
   // 1. The scene: mesh, boundary conditions, law.
   read(options);
+  solve::set_threads(options.threads);
   const io::ResultFolder folder(options.output);
   const solve::Stopwatch watch;
   twod::CylinderSweep sweep(options.run, folder);
@@ -153,6 +156,7 @@ int main(int argc, char** argv) {
                  "At the outlet: developed, or open with or without its pressure",
                  {"fully-developed", "open-viscous", "open"});
   program::add_regularisation(app, o.regularisation);
+  program::add_threads(app, o.threads);
   io::add_real(app, "--lambda-r", o.run.scene.lambda_r, "Regularisation parameter, scaled", 1e-12,
                1);
   app.add_option("--friction", o.friction,

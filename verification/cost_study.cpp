@@ -6,6 +6,7 @@
 
 #include "common/solve/stopwatch.hpp"
 #include "verification/chapter.hpp"
+#include "verification/dense_parts.hpp"
 #include "verification/methods.hpp"
 
 namespace talus::verification {
@@ -236,7 +237,7 @@ void precision_cost(Chapter& chapter) {
 Chapter cost_study(const Context& context) {
   Chapter chapter{"cost", "What is the cheapest way to a given error?", {}, {}};
   chapter.text(
-      "CPU time of the solving thread, set-up included, best of several runs. Times depend on the "
+      "CPU time of the process, set-up included, best of several runs. Times depend on the "
       "machine; compare within one report only. No time is a pass or a failure here. The control "
       "law "
       "without yield stress is measured against its own exact profile, on fronts of its own.");
@@ -279,6 +280,8 @@ Chapter cost_study(const Context& context) {
   precision_cost(chapter);
   kernel_speed(chapter);
   process_speed(chapter);
+  dense_kernel_costs(chapter, context);
+  dense_work(chapter, context);
   return chapter;
 }
 

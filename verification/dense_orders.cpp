@@ -45,22 +45,32 @@ double MeasuredOrders::order(double flow::FlowErrors::*norm, std::size_t meshes)
 }
 
 template <int Dim>
+flow::BoundaryConditions<Dim> exact_conditions(const ManufacturedCase<Dim>& manufactured,
+                                               const flow::Mesh<Dim>& mesh,
+                                               const std::string& traction_boundary) {
+  const auto& exact = manufactured.exact;
+  const auto velocity = flow::prescribed_velocity<Dim>(
+      [&exact](const flow::Point<Dim>& x) { return exact.at(x).velocity; });
+  const auto traction = flow::prescribed_traction<Dim>(
+      [&exact, rheology = manufactured.rheology()](const flow::Point<Dim>& x,
+                                                   const flow::Point<Dim>& normal) {
+        return exact.traction(x, normal, rheology);
+      });
+  flow::BoundaryConditions<Dim> conditions;
+  for (const auto& [name, faces] : mesh.boundaries)
+    conditions[name] = name == traction_boundary ? traction : velocity;
+  return conditions;
+}
+
+template <int Dim>
 MeasuredOrders measure_orders(const ManufacturedCase<Dim>& manufactured,
                               const MeshFamily<Dim>& family) {
   const auto& exact = manufactured.exact;
   const rheology::Rheology rheology = manufactured.rheology();
-  const auto velocity = flow::prescribed_velocity<Dim>(
-      [&](const flow::Point<Dim>& x) { return exact.at(x).velocity; });
-  const auto traction = flow::prescribed_traction<Dim>(
-      [&](const flow::Point<Dim>& x, const flow::Point<Dim>& normal) {
-        return exact.traction(x, normal, rheology);
-      });
   MeasuredOrders measured;
   for (const int n : family.sizes) {
     const flow::Mesh<Dim> mesh = family.mesh(n);
-    flow::BoundaryConditions<Dim> conditions;
-    for (const auto& [name, faces] : mesh.boundaries)
-      conditions[name] = name == family.traction_boundary ? traction : velocity;
+    const auto conditions = exact_conditions(manufactured, mesh, family.traction_boundary);
     const flow::DenseSpace<Dim> space(mesh, conditions, manufactured.pressure_basis);
     flow::DenseFlow<Dim> problem(space, rheology, exact.load(rheology, manufactured.inertia));
     auto state = flow::interpolate(exact, space);
@@ -86,6 +96,8 @@ flow::ManufacturedFlow<Dim> with_pressure_times(double factor, flow::Manufacture
   return flow;
 }
 
+template flow::BoundaryConditions<3> exact_conditions(const ManufacturedCase<3>&,
+                                                      const flow::Mesh<3>&, const std::string&);
 template MeasuredOrders measure_orders(const ManufacturedCase<2>&, const MeshFamily<2>&);
 template MeasuredOrders measure_orders(const ManufacturedCase<3>&, const MeshFamily<3>&);
 template flow::ManufacturedFlow<2> with_pressure_times(double, flow::ManufacturedFlow<2>);

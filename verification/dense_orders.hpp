@@ -36,6 +36,13 @@ struct ManufacturedCase {
   rheology::Rheology rheology() const { return {{}, regularisation, exact.lambda_r}; }
 };
 
+/// The exact traction on one boundary, the exact velocity on all others. The case must outlive
+/// them.
+template <int Dim>
+flow::BoundaryConditions<Dim> exact_conditions(const ManufacturedCase<Dim>& manufactured,
+                                               const flow::Mesh<Dim>& mesh,
+                                               const std::string& traction_boundary);
+
 /// Errors of a family; NaN where Newton fails.
 struct MeasuredOrders {
   std::vector<double> h;

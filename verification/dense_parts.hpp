@@ -12,4 +12,11 @@ void check_dense_tangents(Chapter& chapter);
 /// part of them if the study is quick.
 void manufactured_orders(Chapter& chapter, const Context& context);
 
+/// What an element of velocity-pressure flow costs, part by part, and a Newton step with it: into
+/// the cost study.
+void dense_kernel_costs(Chapter& chapter, const Context& context);
+
+/// Error against time in 3D for every way to solve the linear systems: into the cost study.
+void dense_work(Chapter& chapter, const Context& context);
+
 }  // namespace talus::verification

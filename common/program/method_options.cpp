@@ -1,6 +1,8 @@
 #include "common/program/method_options.hpp"
 
+#include <algorithm>
 #include <sstream>
+#include <thread>
 #include <vector>
 
 #include "common/io/options.hpp"
@@ -12,6 +14,13 @@ void add_regularisation(CLI::App& app, std::string& name) {
   for (const auto& each : rheology::regularisations()) names.push_back(rheology::name_of(each));
   io::add_choice(app, "--regularisation", name,
                  "Viscosity, eq. (9)-(12), or a control law without yield stress", names);
+}
+
+void add_threads(CLI::App& app, int& threads) {
+  constexpr int most = 256;
+  threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, most);
+  io::add_integer(app, "--threads", threads,
+                  "Threads that assemble; results do not depend on them, to the last bit", 1, most);
 }
 
 void add_method_options(CLI::App& app, MethodOptions& options) {

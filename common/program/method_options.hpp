@@ -25,6 +25,9 @@ void add_method_options(CLI::App& app, MethodOptions& options);
 /// Adds --regularisation: every name of the registry.
 void add_regularisation(CLI::App& app, std::string& name);
 
+/// Adds --threads, with all of the machine as its default; for solve::set_threads.
+void add_threads(CLI::App& app, int& threads);
+
 /// `defaults` for what the command line does not say.
 flow::ShearOptions shear_options(const MethodOptions& options, flow::ShearOptions defaults = {});
 
