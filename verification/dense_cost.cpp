@@ -166,7 +166,7 @@ void dense_kernel_costs(Chapter& chapter, const Context& context) {
   const int around = context.full ? 160 : 24;
   table.rows.push_back(row_of("Q9, inertia, cylinder, " + std::to_string(around) + " around",
                               costs_past_a_cylinder(around, repetitions)));
-  std::vector<std::array<int, 3>> boxes = {{1, 10, 14}};
+  std::vector<std::array<int, 3>> boxes = {{1, 20, 28}};
   if (context.full) boxes.insert(boxes.end(), {{1, 70, 100}, {12, 12, 12}});
   for (const auto& box : boxes)
     for (const double inertia : {0.0, 1.0})
