@@ -72,13 +72,37 @@ CylinderPath follow(CylinderFlow& cylinder, Problem problem, solve::PathStart<St
   const solve::PathObserver<State> observer = [&](const State& state, solve::PathPoint& point) {
     return !observe || observe(state, measure(cylinder, state), point);
   };
-  return continuation == Continuation::arclength
-             ? solve::follow_arclength(problem, std::move(start), options, observer)
-             : solve::follow_natural(problem, std::move(start), solve::Predictor::secant, options,
-                                     observer);
+  if (continuation == Continuation::arclength)
+    return solve::follow_arclength(problem, std::move(start), options, observer);
+  if (continuation == Continuation::natural)
+    return solve::follow_natural(problem, std::move(start), solve::Predictor::secant, options,
+                                 observer);
+  // Steps so long that a tangent says nothing about their end, with time to converge.
+  solve::PathOptions far = options;
+  far.largest_step = 2;
+  far.few_corrections = 6;
+  far.many_corrections = 12;
+  far.max_corrections = 18;
+  cylinder.flow().carry_stress();
+  auto path =
+      solve::follow_natural(problem, std::move(start), solve::Predictor::constant, far, observer);
+  cylinder.flow().stop_carrying_stress();
+  return path;
 }
 
 }  // namespace
+
+std::string name_of(Continuation continuation) {
+  switch (continuation) {
+    case Continuation::arclength:
+      return "arclength";
+    case Continuation::natural:
+      return "natural";
+    case Continuation::primal_dual:
+      return "primal-dual";
+  }
+  return {};
+}
 
 CylinderFlow::CylinderFlow(const Cylinder& scene)
     : scene_(scene),
@@ -171,14 +195,18 @@ CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading, Continuatio
   cylinder.flow().set_load_factor(loading);
   cylinder.flow().set_lambda_r(lambda_r);
   State state = cylinder.space().start();
+  const bool is_primal_dual = continuation == Continuation::primal_dual;
+  if (is_primal_dual) cylinder.flow().carry_stress();
   solve::newton(cylinder.flow(), state,
                 {.tolerance = options.tolerance,
                  .max_iterations = 100,
                  .line_search = solve::LineSearch::residual_norm});
-  return follow_lambda_r(
-      cylinder, loading,
-      {.state = std::move(state), .parameter = std::log10(lambda_r), .direction = -1, .step = 0.2},
-      continuation, options, observe);
+  return follow_lambda_r(cylinder, loading,
+                         {.state = std::move(state),
+                          .parameter = std::log10(lambda_r),
+                          .direction = -1,
+                          .step = is_primal_dual ? 1 : 0.2},
+                         continuation, options, observe);
 }
 
 CylinderPath follow_lambda_r(CylinderFlow& cylinder, double loading, solve::PathStart<State> start,

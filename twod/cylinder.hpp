@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "common/flow/dense_path.hpp"
 #include "common/solve/arclength.hpp"
@@ -83,8 +84,10 @@ struct CylinderPoint {
 CylinderPoint point_at(const CylinderFlow& cylinder, const CylinderFlow::State& state,
                        std::size_t element, const flow::Point<2>& reference);
 
-/// How a path is followed.
-enum class Continuation { arclength, natural };
+/// How a path is followed: round its folds; with the parameter stepped and Newton's own tangent;
+/// with the parameter stepped, in decades of λr, and the primal-dual tangent.
+enum class Continuation { arclength, natural, primal_dual };
+std::string name_of(Continuation continuation);
 
 /// Sees every accepted point of a path, of λr or of the loading; false stops it.
 using CylinderObserver =

@@ -61,8 +61,10 @@ void read(Options& o) {
     if (o.outflow == twod::name_of_outflow(open)) scene.open_outlet = open;
   if (!o.sweep.empty()) o.run.loadings = read_sweep(o.sweep);
   if (!o.friction.empty()) scene.law = program::friction_law(o.friction, scene.law);
-  o.run.continuation =
-      o.continuation == "natural" ? twod::Continuation::natural : twod::Continuation::arclength;
+  using twod::Continuation;
+  for (const auto each :
+       {Continuation::arclength, Continuation::natural, Continuation::primal_dual})
+    if (o.continuation == twod::name_of(each)) o.run.continuation = each;
   o.run.route = o.route == "loading" ? twod::Route::loading : twod::Route::lambda_r;
 }
 
@@ -70,7 +72,7 @@ void read(Options& o) {
 std::string advice_for(const Options& options) {
   std::string advice = "a larger --lambda-r, or --max-points to follow the path further";
   if (options.outflow == "open") return "nothing fixes the pressure: try --outflow open-viscous";
-  if (options.run.continuation == twod::Continuation::natural)
+  if (options.run.continuation != twod::Continuation::arclength)
     return "try --continuation arclength, or " + advice;
   if (rheology::has_yield_stress(options.run.scene.regularisation))
     advice += ", or the well-posed --regularisation barker-gray";
@@ -169,7 +171,7 @@ int main(int argc, char** argv) {
       ->default_str("");
   app.add_flag("--no-inertia", o.no_inertia, "Leave out the advective term");
   io::add_choice(app, "--continuation", o.continuation, "How paths are followed",
-                 {"arclength", "natural"});
+                 {"arclength", "natural", "primal-dual"});
   io::add_choice(app, "--route", o.route,
                  "To each loading: along the loading from creep, or down in λr at the loading",
                  {"loading", "lambda-r"});

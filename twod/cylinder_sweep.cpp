@@ -23,8 +23,7 @@ CylinderSweep::CylinderSweep(const SweepOptions& options, const io::ResultFolder
   parameters_ = as_json(options.scene);
   parameters_["loadings"] = options.loadings;
   parameters_["route"] = options.route == Route::loading ? "loading" : "lambda-r";
-  parameters_["continuation"] =
-      options.continuation == Continuation::natural ? "natural" : "arclength";
+  parameters_["continuation"] = name_of(options.continuation);
 }
 
 bool CylinderSweep::run() {

@@ -15,14 +15,22 @@ DenseFlow<Dim>::DenseFlow(const Space& space, rheology::Rheology rheology,
   for (std::size_t b = 0; b < loads_.size(); ++b)
     for (std::size_t q = 0; q < loads_[b].size(); ++q)
       for (std::size_t lane = 0; lane < lanes; ++lane) {
-        Point<Dim> position;
-        for (std::size_t d = 0; d < Dim; ++d)
-          position[static_cast<Eigen::Index>(d)] = space.batches()[b].points[q].position[d][lane];
+        const Point<Dim> position = position_of(b, q, lane);
         const Point<Dim> force = load.body_force(position);
         loads_[b][q].static_pressure[lane] = load.static_pressure(position);
         for (std::size_t d = 0; d < Dim; ++d)
           loads_[b][q].body_force[d][lane] = force[static_cast<Eigen::Index>(d)];
       }
+}
+
+template <int Dim>
+Point<Dim> DenseFlow<Dim>::position_of(std::size_t batch, std::size_t point,
+                                       std::size_t lane) const {
+  Point<Dim> position;
+  for (std::size_t d = 0; d < Dim; ++d)
+    position[static_cast<Eigen::Index>(d)] =
+        space_.batches()[batch].points[point].position[d][lane];
+  return position;
 }
 
 template <int Dim>
@@ -41,6 +49,7 @@ Eigen::VectorXd DenseFlow<Dim>::tangent_product(const State& x) const {
   space_.for_each_batch([&](std::size_t b) {
     const auto& batch = space_.batches()[b];
     const BatchState<Dim> local(space_, batch, x);
+    const CarriedStress<Dim>* carried = carried_in(b);
     BatchForce<Dim> force;
     for (std::size_t q = 0; q < batch.points.size(); ++q) {
       const auto& point = batch.points[q];
@@ -51,19 +60,14 @@ Eigen::VectorXd DenseFlow<Dim>::tangent_product(const State& x) const {
       const PackTensor<Dim> gradient = local.gradient(gradients);
       const PackVector<Dim> velocity = local.velocity(basis);
       const Pack pressure = local.pressure_at(point);
-      const PackTensor<Dim> gamma = rate_of_strain<Dim>(at.gradient);
-      const Pack viscosity_change =
-          factors_.shear_rate * at.shear_rate_slope * contract<Dim>(gamma, gradient) +
-          factors_.pressure * at.pressure_slope * pressure;
       Integrand<Dim> change;
+      change.stress =
+          stress_change<Dim>(at, carried ? &(*carried)[q] : nullptr, gradient, pressure, factors_);
       change.divergence = residual_penalty() * pressure;
       for (std::size_t i = 0; i < Dim; ++i) {
-        for (std::size_t j = 0; j < Dim; ++j) {
-          change.stress[i][j] =
-              at.viscosity * (gradient[i][j] + gradient[j][i]) + viscosity_change * gamma[i][j];
+        for (std::size_t j = 0; j < Dim; ++j)
           change.body[i] += inertia_ * factors_.inertia *
                             (velocity[j] * at.gradient[i][j] + at.velocity[j] * gradient[i][j]);
-        }
         change.stress[i][i] -= pressure;
         change.divergence += gradient[i][i];
       }

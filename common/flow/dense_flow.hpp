@@ -58,6 +58,13 @@ class DenseFlow {
   double load_factor() const { return load_factor_; }
   void set_load_factor(double factor) { load_factor_ = factor; }
   void set_tangent_factors(const TangentFactors& factors) { factors_ = factors; }
+  /// From now on every linear solve is a Newton step of τ/η(|γ|, p) = γ with a stress τ carried
+  /// beside the state (the primal-dual form; see TangentTerm in shear_flow.hpp): another way to the
+  /// same solution, with fewer steps where η saturates. τ starts from `stress`, ηγ by position, or
+  /// without one from the first step. Not for arclength: one step, one solve.
+  using StressField = std::function<Eigen::Matrix<double, Dim, Dim>(const Point<Dim>&)>;
+  void carry_stress(const StressField& stress = {});
+  void stop_carrying_stress();
   LinearSolver linear_solver() const { return linear_solver_; }
   void set_linear_solver(LinearSolver solver) { linear_solver_ = solver; }
 
@@ -98,7 +105,13 @@ class DenseFlow {
                       solve::Residual& residual) const;
   void add_open_sides(std::size_t batch, BatchTangent<Dim>& tangent) const;
   void add_open_sides(const State& x, Eigen::VectorXd& product) const;
+  bool solve_linearised(const Eigen::VectorXd& right_hand_side, State& x);
   bool factor();
+  const CarriedStress<Dim>* carried_in(std::size_t batch) const {
+    return carried_.empty() ? nullptr : &carried_[batch];
+  }
+  void update_carried_stress(const State& step);
+  Point<Dim> position_of(std::size_t batch, std::size_t point, std::size_t lane) const;
   bool iterate(const Eigen::VectorXd& right_hand_side, State& x);
   Pack tangent_penalty(std::size_t batch) const;
   double residual_penalty() const {
@@ -114,7 +127,9 @@ class DenseFlow {
   CondensedSystem<Dim> system_;
   std::vector<std::array<PointLoad, Space::points_per_element>> loads_;
   std::vector<States> states_;
-  State evaluated_;  // the state last evaluated
+  bool carries_stress_ = false;
+  std::vector<CarriedStress<Dim>> carried_;  // empty before the first step: ηγ
+  State evaluated_;                          // the state last evaluated
   solve::Residual residual_;
   Eigen::VectorXd reactions_;
   bool is_factored_ = false;

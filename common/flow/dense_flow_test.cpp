@@ -211,3 +211,63 @@ BOOST_AUTO_TEST_CASE(derivatives_in_the_parameters_are_those_of_the_residual) {
         BOOST_TEST(by_lambda.lpNorm<Eigen::Infinity>() > 1e-6 * magnitude);
     }
 }
+
+// A plug between thin layers: where the viscosity saturates.
+BOOST_AUTO_TEST_CASE(a_carried_stress_leads_to_the_same_flow_in_fewer_steps) {
+  const auto mesh = distorted(
+      tensor_mesh<2>({std::vector<double>{0, 0.5, 1}, std::vector<double>{0, 0.2, 0.5, 1}}), 0.1,
+      5);
+  const DenseSpace<2> space(mesh, {{"left", symmetry<2>(0)},
+                                   {"right", no_slip<2>()},
+                                   {"bottom", fully_developed<2>(1)},
+                                   {"top", fully_developed<2>(1)}});
+  const DenseLoad<2> load{[](const Point<2>&) { return 1.0; },
+                          [](const Point<2>&) { return Point<2>(0, -0.5); }, 1};
+  for (const auto& law : rheology::regularisations()) {
+    DenseFlow<2> newton(space, {{}, law, 1e-2}, load), carrying(space, {{}, law, 1e-2}, load);
+    carrying.carry_stress();
+    auto expected = space.start(), state = space.start();
+    const auto by_newton = solve_to_round_off(newton, expected);
+    const auto by_carrying = solve_to_round_off(carrying, state);
+    BOOST_REQUIRE(is_success(by_newton.end));
+    BOOST_REQUIRE(is_success(by_carrying.end));
+    BOOST_TEST(distance(state.value(), expected.value()) < 1e-9, rheology::name_of(law));
+    BOOST_TEST(by_carrying.iterations() <= by_newton.iterations(), rheology::name_of(law));
+
+    // Both tangents are the derivative at the solution, and only there.
+    const auto direction = state_of(space, flowing);
+    const auto apart = [&](const solve::CompensatedVector& at) {
+      newton.evaluate(at);
+      carrying.evaluate(at);
+      return distance(carrying.tangent_product(direction), newton.tangent_product(direction));
+    };
+    BOOST_TEST(apart(expected) < 1e-6, rheology::name_of(law));
+    BOOST_TEST(apart(expected.moved(0.1, direction)) > 1e-4, rheology::name_of(law));
+    carrying.stop_carrying_stress();
+    BOOST_TEST(apart(expected.moved(0.1, direction)) == 0, rheology::name_of(law));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(condensing_changes_nothing_with_a_carried_stress) {
+  const DenseSpace<2> space(awkward_mesh2(3, 3), mixed_conditions<2>());
+  const DenseSpace<3> space3(awkward_mesh3(), mixed_conditions<3>());
+  const auto stress2 = [](const Point<2>& x) {
+    return Eigen::Matrix2d({{x[0], 0.3}, {0.3, -x[0]}});
+  };
+  const auto stress3 = [](const Point<3>& x) {
+    return Eigen::Matrix3d({{x[0], 0.3, x[1]}, {0.3, -x[0], 0.1}, {x[1], 0.1, 0}});
+  };
+  const auto error = [](auto problem, const auto& stress, const auto& state) {
+    problem.carry_stress(stress);
+    const Eigen::VectorXd b = problem.evaluate(state).value;
+    solve::CompensatedVector x;
+    BOOST_REQUIRE(problem.linear_solve(b, x));
+    problem.carry_stress(stress);  // the solve has moved it on
+    return distance(problem.tangent_product(x), b);
+  };
+  const rheology::Rheology rheology = rheology_of(rheology::ChauchatMedale{});
+  BOOST_TEST(error(DenseFlow<2>(space, rheology, test_load<2>(1)), stress2,
+                   state_of(space, flowing)) < 1e-9);
+  BOOST_TEST(error(DenseFlow<3>(space3, rheology, test_load<3>(1)), stress3,
+                   state_of(space3, flowing)) < 1e-9);
+}

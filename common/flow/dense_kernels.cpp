@@ -1,5 +1,7 @@
 #include "common/flow/dense_kernels.hpp"
 
+#include <limits>
+
 namespace talus::flow {
 namespace {
 
@@ -105,6 +107,36 @@ void set_viscous_blocks(const typename DenseSpace<Dim>::Batch& batch, const Stat
   }
 }
 
+// What ½ (b_a c_b + c_a b_b) exceeds b_a b_b by: ½ (b_a d_b + d_a b_b), d = c - b.
+template <int Dim>
+void add_carried_blocks(const typename DenseSpace<Dim>::Batch& batch, const States<Dim>& states,
+                        const CarriedStress<Dim>& carried_stress, const ElementTerms<Dim>& terms,
+                        double factor, BatchTangent<Dim>& tangent) {
+  constexpr std::size_t points = DenseSpace<Dim>::points_per_element;
+  std::array<std::array<PackVector<Dim>, points>, DenseSpace<Dim>::nodes_per_element> excess;
+  for (std::size_t q = 0; q < points; ++q) {
+    const PackTensor<Dim> strain = excess_strain<Dim>(states[q], carried_stress[q]);
+    const Pack slope = 0.5 * factor * batch.points[q].weight * states[q].shear_rate_slope;
+    for (std::size_t a = 0; a < excess.size(); ++a)
+      for (std::size_t i = 0; i < Dim; ++i) {
+        excess[a][q][i] = 0;
+        for (std::size_t j = 0; j < Dim; ++j)
+          excess[a][q][i] += slope * strain[i][j] * terms[a][q].gradient[j];
+      }
+  }
+  for (std::size_t a = 0; a < excess.size(); ++a)
+    for (std::size_t b = a; b < excess.size(); ++b)
+      for (std::size_t i = 0; i < Dim; ++i)
+        for (std::size_t j = 0; j < Dim; ++j) {
+          Pack sum = 0;
+          for (std::size_t q = 0; q < points; ++q)
+            sum +=
+                terms[a][q].strain[i] * excess[b][q][j] + excess[a][q][i] * terms[b][q].strain[j];
+          tangent.velocity_velocity[Dim * a + i][Dim * b + j] += sum;
+          if (a != b) tangent.velocity_velocity[Dim * b + j][Dim * a + i] += sum;
+        }
+}
+
 // ∂_j u_i meets N_a N_b and is computed once for both nodes; u·G_b differs.
 template <int Dim>
 void add_advective_blocks(const DenseSpace<Dim>& space,
@@ -153,23 +185,70 @@ void add_advective_blocks(const DenseSpace<Dim>& space,
 }  // namespace
 
 template <int Dim>
+PackTensor<Dim> excess_strain(const PointState<Dim>& at, const PackTensor<Dim>& stress) {
+  using std::experimental::max;
+  using std::experimental::min;
+  using std::experimental::sqrt;
+  const PackTensor<Dim> gamma = rate_of_strain<Dim>(at.gradient);
+  const Pack square = 0.5 * contract<Dim>(gamma, gamma);
+  const Pack x = 1 + at.shear_rate_slope * square / at.viscosity;
+  const Pack limit = at.viscosity * sqrt(square) * (1 + 0.5 * x);
+  const Pack size =
+      max(sqrt(0.5 * contract<Dim>(stress, stress)), Pack(std::numeric_limits<double>::min()));
+  const Pack share = min(limit / size, Pack(1)) / at.viscosity;
+  PackTensor<Dim> excess;
+  for (std::size_t i = 0; i < Dim; ++i)
+    for (std::size_t j = 0; j < Dim; ++j) excess[i][j] = share * stress[i][j] - gamma[i][j];
+  return excess;
+}
+
+template <int Dim>
+PackTensor<Dim> stress_change(const PointState<Dim>& at, const PackTensor<Dim>* carried_stress,
+                              const PackTensor<Dim>& gradient_change, const Pack& pressure_change,
+                              const TangentFactors& factors) {
+  const PackTensor<Dim> gamma = rate_of_strain<Dim>(at.gradient);
+  const Pack slope = factors.shear_rate * at.shear_rate_slope;
+  const Pack by_strain = slope * contract<Dim>(gamma, gradient_change);
+  Pack along_strain = by_strain + factors.pressure * at.pressure_slope * pressure_change;
+  PackTensor<Dim> excess{};
+  if (carried_stress) {
+    excess = excess_strain<Dim>(at, *carried_stress);
+    along_strain += 0.5 * slope * contract<Dim>(excess, gradient_change);
+  }
+  PackTensor<Dim> change;
+  for (std::size_t i = 0; i < Dim; ++i)
+    for (std::size_t j = 0; j < Dim; ++j)
+      change[i][j] = at.viscosity * (gradient_change[i][j] + gradient_change[j][i]) +
+                     along_strain * gamma[i][j] + 0.5 * by_strain * excess[i][j];
+  return change;
+}
+
+template <int Dim>
 void batch_tangent(const DenseSpace<Dim>& space, const typename DenseSpace<Dim>::Batch& batch,
                    const std::array<PointState<Dim>, DenseSpace<Dim>::points_per_element>& states,
-                   const Pack& penalty, double inertia, const TangentFactors& factors,
-                   BatchTangent<Dim>& tangent) {
+                   const CarriedStress<Dim>* carried_stress, const Pack& penalty, double inertia,
+                   const TangentFactors& factors, BatchTangent<Dim>& tangent) {
   ElementTerms<Dim> terms;
   fill(space, batch, states, terms);
   set_pressure_blocks(batch, states, terms, penalty, factors.pressure, tangent);
   set_viscous_blocks(batch, states, terms, factors.shear_rate, tangent);
+  if (carried_stress)
+    add_carried_blocks<Dim>(batch, states, *carried_stress, terms, factors.shear_rate, tangent);
   const double advection = inertia * factors.inertia;
   if (advection != 0) add_advective_blocks(space, batch, states, terms, advection, tangent);
 }
 
-template void batch_tangent(const DenseSpace<2>&, const DenseSpace<2>::Batch&,
-                            const std::array<PointState<2>, 9>&, const Pack&, double,
-                            const TangentFactors&, BatchTangent<2>&);
-template void batch_tangent(const DenseSpace<3>&, const DenseSpace<3>::Batch&,
-                            const std::array<PointState<3>, 27>&, const Pack&, double,
-                            const TangentFactors&, BatchTangent<3>&);
+template PackTensor<2> excess_strain<2>(const PointState<2>&, const PackTensor<2>&);
+template PackTensor<2> stress_change<2>(const PointState<2>&, const PackTensor<2>*,
+                                        const PackTensor<2>&, const Pack&, const TangentFactors&);
+template void batch_tangent<2>(const DenseSpace<2>&, const DenseSpace<2>::Batch&,
+                               const std::array<PointState<2>, 9>&, const CarriedStress<2>*,
+                               const Pack&, double, const TangentFactors&, BatchTangent<2>&);
+template PackTensor<3> excess_strain<3>(const PointState<3>&, const PackTensor<3>&);
+template PackTensor<3> stress_change<3>(const PointState<3>&, const PackTensor<3>*,
+                                        const PackTensor<3>&, const Pack&, const TangentFactors&);
+template void batch_tangent<3>(const DenseSpace<3>&, const DenseSpace<3>::Batch&,
+                               const std::array<PointState<3>, 27>&, const CarriedStress<3>*,
+                               const Pack&, double, const TangentFactors&, BatchTangent<3>&);
 
 }  // namespace talus::flow

@@ -112,6 +112,22 @@ struct BatchState {
   }
 };
 
+/// The stresses τ that the primal-dual form carries at the quadrature points of a batch.
+template <int Dim>
+using CarriedStress = std::array<PackTensor<Dim>, DenseSpace<Dim>::points_per_element>;
+
+/// τ/η - γ, which vanishes at a solution. As for a cross-section, τ is cut to where the viscous
+/// part of the tangent stays definite, |τ| <= σ(1 + x/2), σ = η|γ|, x = d ln σ/d ln|γ|.
+template <int Dim>
+PackTensor<Dim> excess_strain(const PointState<Dim>& at, const PackTensor<Dim>& stress);
+
+/// Change of ηγ with that of the velocity gradient and the pressure, as the tangent has it:
+/// η δγ + (η'/|γ|) ½ ((γ:δγ/2) τ/η + (τ/η:δγ/2) γ) + η'(p) γ δp; without τ Newton's own.
+template <int Dim>
+PackTensor<Dim> stress_change(const PointState<Dim>& at, const PackTensor<Dim>* carried_stress,
+                              const PackTensor<Dim>& gradient_change, const Pack& pressure_change,
+                              const TangentFactors& factors);
+
 /// What is integrated at a quadrature point: stress σ against grad N, body g against N, and the
 /// divergence against the pressures.
 template <int Dim>
@@ -168,15 +184,17 @@ struct BatchForce {
   }
 };
 
-/// The tangents of a batch. With G_a = grad N_a, b_a = γ·G_a and w the quadrature weight,
+/// The tangents of a batch, with the stress it carries or none (nullptr). With G_a = grad N_a, b_a
+/// = γ·G_a and w the quadrature weight,
 ///   ∂R_ai/∂u_bj = Σ w { η (δ_ij G_a·G_b + G_aj G_bi) + (η'/|γ|) b_ai b_bj
 ///                       + N_a (δ_ij u·G_b + ∂_j u_i N_b) },
 ///   ∂R_ai/∂p_k = Σ w ψ_k (η'(p) b_ai - G_ai),  ∂R_k/∂u_bj = -Σ w ψ_k G_bj,
 ///   ∂R_k/∂p_l = -λp Σ w ψ_k ψ_l.
+/// In the primal-dual form ½ (b_ai c_bj + c_ai b_bj), c_a = (τ/η)·G_a, stands for b_ai b_bj.
 template <int Dim>
 void batch_tangent(const DenseSpace<Dim>& space, const typename DenseSpace<Dim>::Batch& batch,
                    const std::array<PointState<Dim>, DenseSpace<Dim>::points_per_element>& states,
-                   const Pack& penalty, double inertia, const TangentFactors& factors,
-                   BatchTangent<Dim>& tangent);
+                   const CarriedStress<Dim>* carried_stress, const Pack& penalty, double inertia,
+                   const TangentFactors& factors, BatchTangent<Dim>& tangent);
 
 }  // namespace talus::flow

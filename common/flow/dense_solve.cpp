@@ -8,6 +8,13 @@ namespace talus::flow {
 
 template <int Dim>
 bool DenseFlow<Dim>::linear_solve(const Eigen::VectorXd& right_hand_side, State& x) {
+  if (!solve_linearised(right_hand_side, x)) return false;
+  if (carries_stress_) update_carried_stress(x);
+  return true;
+}
+
+template <int Dim>
+bool DenseFlow<Dim>::solve_linearised(const Eigen::VectorXd& right_hand_side, State& x) {
   if (!is_factored_ && linear_solver_ == LinearSolver::lagged && iterate(right_hand_side, x))
     return true;
   if (!is_factored_ && !factor()) return false;
@@ -35,8 +42,8 @@ bool DenseFlow<Dim>::factor() {
   system_.set_zero();
   space_.for_each_batch([&](std::size_t b) {
     BatchTangent<Dim> tangent;
-    batch_tangent<Dim>(space_, space_.batches()[b], states_[b], tangent_penalty(b), inertia_,
-                       factors_, tangent);
+    batch_tangent<Dim>(space_, space_.batches()[b], states_[b], carried_in(b), tangent_penalty(b),
+                       inertia_, factors_, tangent);
     add_open_sides(b, tangent);
     system_.add(b, tangent);
   });
@@ -104,7 +111,9 @@ void DenseFlow<Dim>::add_open_sides(std::size_t number, BatchTangent<Dim>& tange
 
 // The class is instantiated in dense_flow.cpp, which does not see what is defined here.
 template bool DenseFlow<2>::linear_solve(const Eigen::VectorXd&, State&);
+template bool DenseFlow<2>::solve_linearised(const Eigen::VectorXd&, State&);
 template bool DenseFlow<3>::linear_solve(const Eigen::VectorXd&, State&);
+template bool DenseFlow<3>::solve_linearised(const Eigen::VectorXd&, State&);
 template bool DenseFlow<2>::factor();
 template bool DenseFlow<3>::factor();
 template bool DenseFlow<2>::iterate(const Eigen::VectorXd&, State&);
