@@ -45,7 +45,8 @@ std::size_t bin_of(double lambda_r) {
 
 io::Map empty_map() {
   io::Map map;
-  for (int i = 0; i < bins; ++i) map.columns.push_back("10^{" + io::fixed(-1 - 0.5 * i, 1) + "}");
+  for (int i = 0; i < bins; ++i)
+    map.columns.push_back(i % 2 == 0 ? short_power(std::pow(10, -1 - i / 2)) : "");
   map.value_label = "factorisations";
   map.largest = 100;
   return map;
@@ -115,7 +116,7 @@ void atlas(Chapter& chapter, const Context& context) {
                    2};
   for (const auto& law : laws_of_paths()) {
     const std::string name = rheology::name_of(law);
-    io::Panel map{name, "λr", "", false, false, {}, empty_map()};
+    io::Panel map{name, "λr", "way, elements around", false, false, {}, empty_map()};
     io::Panel panel{name, "λ_r", "U", true, false, {}};
     panel.key = "top left";
     io::Curve folds{"folds", {}, {}, io::Style::rings};

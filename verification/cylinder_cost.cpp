@@ -30,9 +30,9 @@ std::vector<Family> families(const Context& context) {
       context.full ? std::vector{16, 24, 32, 40, 80} : std::vector{16, 24};
   const std::vector<int> few = context.full ? arounds : full;
   return {{"half", arounds},
-          {"half, first layer a tenth", few, 0.1},
+          {"thin first layer", few, 0.1},
           {"full", full, 1, true},
-          {"half, plain penalty λp 1e-8", few, 1, false, {flow::Penalty::plain, 1e-8}}};
+          {"plain penalty, 1e-8", few, 1, false, {flow::Penalty::plain, 1e-8}}};
 }
 
 // Extrapolates three values on meshes that are halved each time.
@@ -45,7 +45,7 @@ struct Errors {
   io::Curve drag, traction, velocity;  // against CPU seconds
 
   explicit Errors(const std::string& label)
-      : drag{label, {}, {}}, traction{label + ", from the traction", {}, {}}, velocity(drag) {}
+      : drag{label, {}, {}}, traction{label + ", traction integral", {}, {}}, velocity(drag) {}
   void add(const Creep& creep) {
     const auto& m = creep.measures;
     for (io::Curve* curve : {&drag, &traction, &velocity}) curve->x.push_back(creep.seconds);
@@ -74,7 +74,7 @@ void check_limits(Chapter& chapter) {
 void meshes(Chapter& chapter, const Context& context) {
   io::Panel drag{"Cylinder: drag at F = 0.04", "CPU seconds", "relative error", true, true, {}};
   io::Panel velocity{"Cylinder: U at F = 0.04", "CPU seconds", "relative error", true, true, {}};
-  drag.key = velocity.key = "bottom left";
+  drag.key = velocity.key = "bottom left Left reverse";
   io::Table table{"Creep past the cylinder at F = 0.04, λr = 1e-6",
                   {"case", "around", "elements", "drag", "U", "factorisations", "CPU s"},
                   {}};

@@ -45,7 +45,7 @@ io::Figure empty_figure() {
   io::Panel ill_posed{"Yielded where C > 0", "F", "share of the area", false, false, {}};
   io::Panel step{"What is left of the steps", "F", "Δσ", false, true, {}};
   velocity.key = "bottom right";
-  negative.key = ill_posed.key = "top right";
+  negative.key = "top left";
   step.key = "bottom left";
   return {"loading_paths",
           "Up the loading until nothing goes on: arclength continuation as lines, natural "
