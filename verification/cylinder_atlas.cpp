@@ -159,7 +159,7 @@ void penalties(Chapter& chapter, const Context& context) {
   const double lambda_r = context.full ? 1e-6 : 1e-4;
   const std::vector<double> lambda_ps = context.full
                                             ? std::vector{1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}
-                                            : std::vector{1e-2, 1e-6, 1e-12};
+                                            : std::vector{1e-4, 1e-12};
   io::Table table{
       "Penalty past yield: paths in λr from 0.1 to " + short_power(lambda_r) +
           " at F = 0.052, 16 elements around",
