@@ -143,11 +143,11 @@ void atlas(Chapter& chapter, const Context& context) {
     lines.panels.push_back(std::move(panel));
   }
   chapter.text(
-      "Past yield the flow around the cylinder is reached by a path in λr. The control law is "
-      "followed to the end; eq. (12) meets folds on some meshes, and pressures below zero on "
-      "others: there eq. (16) at λr = 1e-6 has a corner that each quadrature point turns by "
-      "itself, "
-      "and the steps shrink. A floor of a hundredth of the confining pressure rounds it.");
+      "Paths in λr past yield, F = 0.054. The control law is followed to the end, by arclength and "
+      "by "
+      "natural continuation. Eq. (12) ends in ever smaller steps, on finer meshes after folds. A "
+      "floor under the pressure in (16) changes neither. Without (16) nothing starts: at λr = 0.1 "
+      "pressures are negative somewhere, and there the material has no viscosity at all.");
   chapter.figure(std::move(maps));
   chapter.figure(std::move(lines));
   chapter.table(std::move(table));
@@ -157,9 +157,8 @@ void atlas(Chapter& chapter, const Context& context) {
 void penalties(Chapter& chapter, const Context& context) {
   constexpr double past_yield = 0.052;
   const double lambda_r = context.full ? 1e-6 : 1e-4;
-  const std::vector<double> lambda_ps = context.full
-                                            ? std::vector{1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}
-                                            : std::vector{1e-4, 1e-12};
+  const std::vector<double> lambda_ps =
+      context.full ? std::vector{1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12} : std::vector{1e-4, 1e-12};
   io::Table table{
       "Penalty past yield: paths in λr from 0.1 to " + short_power(lambda_r) +
           " at F = 0.052, 16 elements around",
