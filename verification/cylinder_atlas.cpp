@@ -144,10 +144,9 @@ void atlas(Chapter& chapter, const Context& context) {
   }
   chapter.text(
       "Paths in λr past yield, F = 0.054. The control law is followed to the end, by arclength and "
-      "by "
-      "natural continuation. Eq. (12) ends in ever smaller steps, on finer meshes after folds. A "
-      "floor under the pressure in (16) changes neither. Without (16) nothing starts: at λr = 0.1 "
-      "pressures are negative somewhere, and there the material has no viscosity at all.");
+      "natural continuation alike. Eq. (12) on 16 elements ends in ever smaller steps. A floor "
+      "under the pressure in (16) changes neither. Without (16) no path starts: Newton fails at "
+      "λr = 0.1, from the solution with it.");
   chapter.figure(std::move(maps));
   chapter.figure(std::move(lines));
   chapter.table(std::move(table));
