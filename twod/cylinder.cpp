@@ -11,6 +11,8 @@ namespace {
 
 using State = CylinderFlow::State;
 
+constexpr double first_lambda_r = 0.1;  // smooth enough for Newton from rest
+
 flow::BoundaryConditions<2> boundary_conditions(const Cylinder& scene) {
   flow::BoundaryConditions<2> conditions = {
       {"cylinder", flow::no_slip<2>()},
@@ -25,6 +27,13 @@ flow::BoundaryConditions<2> boundary_conditions(const Cylinder& scene) {
 flow::DenseLoad<2> load_of(const Cylinder& scene) {
   return {[](const flow::Point<2>&) { return 1.0; },
           [](const flow::Point<2>&) { return flow::Point<2>(0, -1); }, scene.inertia ? 1.0 : 0.0};
+}
+
+rheology::Rheology rheology_of(const Cylinder& scene) {
+  rheology::Rheology rheology(scene.law, scene.regularisation, scene.lambda_r);
+  rheology.pressure_floor = scene.pressure_floor;
+  rheology.regularises_pressure = scene.regularises_pressure;
+  return rheology;
 }
 
 // Vertical force of the constraint on the nodes of a boundary.
@@ -90,6 +99,33 @@ CylinderPath follow(CylinderFlow& cylinder, Problem problem, solve::PathStart<St
   return path;
 }
 
+solve::NewtonSummary newton_at(CylinderFlow& cylinder, double loading, double lambda_r,
+                               State& state, double tolerance) {
+  cylinder.flow().set_load_factor(loading);
+  cylinder.flow().set_lambda_r(lambda_r);
+  return solve::newton(cylinder.flow(), state,
+                       {.tolerance = tolerance,
+                        .max_iterations = 100,
+                        .line_search = solve::LineSearch::residual_norm});
+}
+
+// On the way from rest to the smooth flow pressures are negative: eq. (16) is needed there even if
+// the scene does without.
+solve::NewtonSummary smooth_start(CylinderFlow& cylinder, double loading, State& state,
+                                  double tolerance) {
+  const rheology::Rheology own = rheology_of(cylinder.scene());
+  rheology::Rheology regularised = own;
+  regularised.regularises_pressure = true;
+  cylinder.flow().set_rheology(regularised);
+  state = cylinder.space().start();
+  const double lambda_r = std::max(first_lambda_r, own.lambda_r);
+  auto newton = newton_at(cylinder, loading, lambda_r, state, tolerance);
+  cylinder.flow().set_rheology(own);
+  if (!own.regularises_pressure && solve::is_success(newton.end))
+    newton = newton_at(cylinder, loading, lambda_r, state, tolerance);
+  return newton;
+}
+
 }  // namespace
 
 std::string name_of(Continuation continuation) {
@@ -107,16 +143,14 @@ std::string name_of(Continuation continuation) {
 CylinderFlow::CylinderFlow(const Cylinder& scene)
     : scene_(scene),
       space_(cylinder_mesh(scene.mesh), boundary_conditions(scene)),
-      flow_(space_, {scene.law, scene.regularisation, scene.lambda_r}, load_of(scene),
-            scene.penalty) {}
+      flow_(space_, rheology_of(scene), load_of(scene), scene.penalty) {}
 
 CylinderPoint point_at(const CylinderFlow& cylinder, const State& state, std::size_t element,
                        const flow::Point<2>& reference) {
   const rheology::Rheology& rheology = cylinder.flow().rheology();
   CylinderPoint point{cylinder.space().values_at(state, element, reference)};
   point.total_pressure = 1 + point.values.pressure;
-  point.regularised_pressure =
-      rheology::regularise_pressure(point.total_pressure, rheology.lambda_r).value;
+  point.regularised_pressure = rheology.regularised_pressure(point.total_pressure).value;
   point.shear_rate = point.values.shear_rate();
   point.viscosity = rheology.evaluate(point.shear_rate, point.total_pressure).eta;
   point.inertial_number =
@@ -141,7 +175,8 @@ CylinderMeasures measure(CylinderFlow& cylinder, const State& state) {
   m.wall_force = halves * reaction(cylinder, "wall");
   m.largest_velocity = state.value().head(space.velocity_count()).lpNorm<Eigen::Infinity>();
 
-  double area = 0, divergence = 0, gradient = 0, yielded = 0, ill_posed = 0, momentum = 0;
+  double area = 0, divergence = 0, gradient = 0, momentum = 0;
+  double yielded = 0, ill_posed = 0, negative = 0;
   m.min_pressure = std::numeric_limits<double>::infinity();
   m.max_pressure = -m.min_pressure;
   const auto rule = flow::gauss_rule<2>(3);
@@ -163,6 +198,7 @@ CylinderMeasures measure(CylinderFlow& cylinder, const State& state) {
       momentum += weight * at.values.velocity_gradient.row(1).dot(at.values.velocity);
       if (at.has_yielded) yielded += weight;
       if (at.has_yielded && at.well_posedness > 0) ill_posed += weight;
+      if (at.total_pressure < 0) negative += weight;
       m.min_pressure = std::min(m.min_pressure, at.total_pressure);
       m.max_pressure = std::max(m.max_pressure, at.total_pressure);
     }
@@ -172,6 +208,7 @@ CylinderMeasures measure(CylinderFlow& cylinder, const State& state) {
   m.momentum_flux = cylinder.scene().inertia ? -halves * momentum : 0;
   m.yielded_share = yielded / area;
   m.ill_posed_share = ill_posed / area;
+  m.negative_share = negative / area;
   const double gradient_norm = std::sqrt(gradient);
   m.divergence = std::sqrt(divergence) / gradient_norm;
   m.projected_divergence = std::sqrt(projected) / gradient_norm;
@@ -190,23 +227,27 @@ solve::PathOptions cylinder_path_options() {
 
 CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading, Continuation continuation,
                              const solve::PathOptions& options, const CylinderObserver& observe) {
-  constexpr double first_lambda_r = 0.1;  // smooth enough for Newton from rest
   const double lambda_r = std::max(first_lambda_r, cylinder.scene().lambda_r);
-  cylinder.flow().set_load_factor(loading);
-  cylinder.flow().set_lambda_r(lambda_r);
-  State state = cylinder.space().start();
   const bool is_primal_dual = continuation == Continuation::primal_dual;
   if (is_primal_dual) cylinder.flow().carry_stress();
-  solve::newton(cylinder.flow(), state,
-                {.tolerance = options.tolerance,
-                 .max_iterations = 100,
-                 .line_search = solve::LineSearch::residual_norm});
+  State state;
+  smooth_start(cylinder, loading, state, options.tolerance);
   return follow_lambda_r(cylinder, loading,
                          {.state = std::move(state),
                           .parameter = std::log10(lambda_r),
                           .direction = -1,
                           .step = is_primal_dual ? 1 : 0.2},
                          continuation, options, observe);
+}
+
+solve::NewtonSummary solve_creep(CylinderFlow& cylinder, double loading, State& state,
+                                 double tolerance) {
+  const double lambda_r = cylinder.scene().lambda_r;
+  const auto smooth = smooth_start(cylinder, loading, state, tolerance);
+  if (!solve::is_success(smooth.end)) return smooth;
+  for (Eigen::Index i = 0; i < cylinder.space().velocity_count(); ++i)
+    state.set(i, std::min(1.0, lambda_r / first_lambda_r) * state.value()[i]);
+  return newton_at(cylinder, loading, lambda_r, state, tolerance);
 }
 
 CylinderPath follow_lambda_r(CylinderFlow& cylinder, double loading, solve::PathStart<State> start,

@@ -19,6 +19,8 @@ struct Cylinder {
   rheology::FrictionLaw law = {.mu_s = 0.4, .delta_mu = 0.25, .I0 = 0.3, .grain_size = 0.1};
   rheology::Regularisation regularisation = rheology::ChauchatMedale{};
   double lambda_r = 1e-6;
+  double pressure_floor = 0;         ///< of eq. (16), in p_ext, if larger than λr
+  bool regularises_pressure = true;  ///< eq. (16); else p_regu = max(p, 0)
   flow::PenaltyOptions penalty;
   bool inertia = true;
   flow::Open open_outlet = flow::Open::no;  ///< the paper's open boundary below, eq. (8)
@@ -59,6 +61,7 @@ struct CylinderMeasures {
   double projected_divergence = 0;  ///< the same projected onto the pressures: what p can control
   double yielded_share = 0;         ///< area where the stress exceeds μs p_regu
   double ill_posed_share = 0;       ///< area that flows (yields) where C > 0
+  double negative_share = 0;        ///< area of negative total pressure
 
   /// (drag + walls + momentum - weight)/weight: 0 in equilibrium, to round-off.
   double imbalance() const { return (drag + wall_force + momentum_flux - weight) / weight; }
@@ -105,6 +108,12 @@ CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading,
                              Continuation continuation = Continuation::arclength,
                              const solve::PathOptions& options = cylinder_path_options(),
                              const CylinderObserver& observe = {});
+
+/// Solves a loading that the cylinder holds, where velocities go with λr: Newton from rest at λr =
+/// 0.1, the velocities scaled to the scene's λr, Newton there. Far fewer factorisations than a
+/// path.
+solve::NewtonSummary solve_creep(CylinderFlow& cylinder, double loading, CylinderFlow::State& state,
+                                 double tolerance = 1e-13);
 
 /// Follows log10 λr from a point of such a path.
 CylinderPath follow_lambda_r(CylinderFlow& cylinder, double loading,

@@ -43,7 +43,8 @@ std::vector<double> read_sweep(const std::string& text) {
   const double b = io::real_in_range("--sweep", parts[1], smallest_loading, largest_loading);
   const int n = io::whole_in_range("--sweep", parts[2], 2, 1000);
   std::vector<double> loadings;
-  for (int i = 0; i < n; ++i) loadings.push_back(a + (b - a) * i / (n - 1));
+  for (int i = 0; i < n; ++i)  // 0.05, not the 0.049999999999999996 of the formula
+    loadings.push_back(std::stod(io::rounded(a + (b - a) * i / (n - 1), 12)));
   return loadings;
 }
 
@@ -161,6 +162,11 @@ int main(int argc, char** argv) {
   program::add_threads(app, o.threads);
   io::add_real(app, "--lambda-r", o.run.scene.lambda_r, "Regularisation parameter, scaled", 1e-12,
                1);
+  io::add_real(app, "--pressure-floor", o.run.scene.pressure_floor,
+               "Eq. (16) takes this for λr if it is larger, in p_ext; a grain layer weighs 0.005",
+               0, 1);
+  app.add_flag("!--no-pressure-regularisation", o.run.scene.regularises_pressure,
+               "No eq. (16): where the pressure is negative there is no friction at all");
   app.add_option("--friction", o.friction,
                  "Friction law mu_s,delta_mu,I0 [each 0.001 ... 10; default 0.4,0.25,0.3]");
   io::add_choice(app, "--penalty", o.penalty,

@@ -29,6 +29,22 @@ void for_each_measure(Measures& m, Action&& action) {
   action("projected_divergence", m.projected_divergence);
   action("yielded_share", m.yielded_share);
   action("ill_posed_share", m.ill_posed_share);
+  action("negative_share", m.negative_share);
+}
+
+// What is kept of a point of a path, likewise.
+template <class Point, class Action>
+void for_each_note(Point& point, Action&& action) {
+  action("parameter", point.parameter);
+  action("slope", point.parameter_slope);
+  action("step", point.step);
+  action("cosine", point.cosine);
+  action("corrections", point.corrections);
+  action("failures", point.cost.failures);
+  action("factorisations", point.cost.factorisations);
+  action("determinant_sign", point.determinant_sign);
+  action("fold", point.is_fold_passed);
+  action("residual", point.residual);
 }
 
 // The scene's scaling fixes d* = d/D.
@@ -83,6 +99,18 @@ CylinderMeasures measures_from(const nlohmann::json& json) {
   return measures;
 }
 
+nlohmann::json as_json(const PathRecord& record) {
+  nlohmann::json json = {{"measures", as_json(record.measures)}};
+  for_each_note(record.point, [&](const char* name, const auto& value) { json[name] = value; });
+  return json;
+}
+
+PathRecord record_from(const nlohmann::json& json) {
+  PathRecord record{{}, measures_from(json.at("measures"))};
+  for_each_note(record.point, [&](const char* name, auto& value) { json.at(name).get_to(value); });
+  return record;
+}
+
 std::string name_of_outflow(flow::Open open) {
   return open == flow::Open::no        ? "fully-developed"
          : open == flow::Open::viscous ? "open-viscous"
@@ -97,6 +125,8 @@ nlohmann::json as_json(const Cylinder& scene) {
           {"outflow", name_of_outflow(scene.open_outlet)},
           {"regularisation", rheology::name_of(scene.regularisation)},
           {"lambda_r", scene.lambda_r},
+          {"pressure_floor", scene.pressure_floor},
+          {"regularises_pressure", scene.regularises_pressure},
           {"penalty", scene.penalty.kind == flow::Penalty::plain ? "plain" : "iterated"},
           {"lambda_p", scene.penalty.lambda_p},
           {"inertia", scene.inertia},
@@ -127,7 +157,7 @@ io::Table path_table(const std::vector<PathRecord>& path) {
   io::Table table{"",
                   {"loading", "lambda_r", "slope", "step", "corrections", "determinant_sign",
                    "fold", "failures", "factorisations", "residual", "mean_velocity", "drag",
-                   "min_pressure", "ill_posed_share"},
+                   "min_pressure", "ill_posed_share", "negative_share"},
                   {}};
   for (const auto& [point, m] : path)
     table.rows.push_back({io::exact(m.loading), io::exact(m.lambda_r),
@@ -136,7 +166,7 @@ io::Table path_table(const std::vector<PathRecord>& path) {
                           point.is_fold_passed ? "1" : "0", std::to_string(point.cost.failures),
                           std::to_string(point.cost.factorisations), io::exact(point.residual),
                           io::exact(m.mean_velocity), io::exact(m.drag), io::exact(m.min_pressure),
-                          io::exact(m.ill_posed_share)});
+                          io::exact(m.ill_posed_share), io::exact(m.negative_share)});
   return table;
 }
 

@@ -21,6 +21,8 @@ struct PathRecord {
 
 nlohmann::json as_json(const CylinderMeasures& measures);
 CylinderMeasures measures_from(const nlohmann::json& json);
+nlohmann::json as_json(const PathRecord& record);
+PathRecord record_from(const nlohmann::json& json);
 /// The name of an outlet condition on the command line.
 std::string name_of_outflow(flow::Open open);
 /// The parameters of a scene.

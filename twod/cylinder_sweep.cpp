@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <utility>
 
 #include "common/program/checkpoint.hpp"
 
@@ -66,7 +67,7 @@ solve::PathOptions CylinderSweep::path_options() const {
 
 CylinderObserver CylinderSweep::observer(const std::string& stage, double target) {
   return [this, stage, target](const auto& state, const auto& measures, const auto& point) {
-    records_.push_back({point, measures});
+    if (!std::exchange(has_start_, false)) records_.push_back({point, measures});
     progress_.show("F = " + io::rounded(measures.loading, 6) +
                        ", λr = " + io::rounded(measures.lambda_r, 3) +
                        ", U = " + io::rounded(measures.mean_velocity, 4),
@@ -81,8 +82,10 @@ void CylinderSweep::save(const std::string& stage, double target,
   nlohmann::json notes = {{"parameters", parameters_},
                           {"stage", stage},
                           {"target", target},
-                          {"sweep", nlohmann::json::array()}};
+                          {"sweep", nlohmann::json::array()},
+                          {"path", nlohmann::json::array()}};
   for (const auto& measures : sweep_) notes["sweep"].push_back(as_json(measures));
+  for (const auto& record : records_) notes["path"].push_back(as_json(record));
   program::write_checkpoint(folder_, checkpoint_name, {notes, start});
 }
 
@@ -99,6 +102,7 @@ bool CylinderSweep::resume() {
     sweep_.push_back(measures_from(each));
     series_.push_back({sweep_.back().loading, file_of(sweep_.size())});
   }
+  for (const auto& each : notes.at("path")) records_.push_back(record_from(each));
   const std::string stage = notes.at("stage");
   const double target = notes.at("target");
   const bool follows_lambda_r = stage == "lambda_r";
@@ -110,6 +114,7 @@ bool CylinderSweep::resume() {
     cylinder_.flow().set_load_factor(loading_);
     cylinder_.flow().set_lambda_r(options_.scene.lambda_r);
   } else {
+    has_start_ = true;
     arrived = accept(
         follows_lambda_r
             ? follow_lambda_r(cylinder_, target, std::move(checkpoint->start),
@@ -126,7 +131,6 @@ bool CylinderSweep::resume() {
 // Takes over where a path ended; true if that is its target.
 bool CylinderSweep::accept(CylinderPath path) {
   end_ = path.end;
-  factorisations_ += path.total_cost().factorisations;
   if (path.end == solve::PathEnd::start_failed) return false;
   state_ = std::move(path.next.state);
   loading_ = cylinder_.flow().load_factor();

@@ -34,14 +34,15 @@ class CylinderSweep {
   /// and sweep.csv. Throws io::UserError if the checkpoint belongs to another run.
   bool run();
 
-  CylinderFlow& cylinder() { return cylinder_; }
+  const CylinderFlow& cylinder() const { return cylinder_; }
   const CylinderFlow::State& state() const { return state_; }
   const nlohmann::json& parameters() const { return parameters_; }
-  const std::vector<PathRecord>& records() const { return records_; }  ///< of this process
+  const std::vector<PathRecord>& records() const { return records_; }  ///< before --resume too
   const std::vector<CylinderMeasures>& reached_loadings() const { return sweep_; }
   const std::vector<io::SeriesEntry>& series() const { return series_; }
   solve::PathEnd end() const { return end_; }  ///< of the last path
-  int factorisations() const { return factorisations_; }
+  /// Of this process, all of them: Newton before and after a path as well.
+  int factorisations() const { return cylinder_.flow().factorisations(); }
   int folds() const;
 
  private:
@@ -62,10 +63,10 @@ class CylinderSweep {
   CylinderFlow::State state_;
   double loading_ = 0;  // of state_
   std::vector<PathRecord> records_;
+  bool has_start_ = false;  // the next point accepted is the last record's
   std::vector<CylinderMeasures> sweep_;
   std::vector<io::SeriesEntry> series_;
   solve::PathEnd end_ = solve::PathEnd::target_reached;
-  int factorisations_ = 0;
   io::Progress progress_;
 };
 

@@ -39,14 +39,10 @@ void solve_at(CylinderFlow& cylinder, double loading, double lambda_r, State& st
   BOOST_REQUIRE_MESSAGE(solve::is_success(newton.end), solve::name_of(newton.end));
 }
 
-// Below yield velocities go with λr: from rest at λr = 0.1, then to the scene's at once.
 State creep(CylinderFlow& cylinder, double loading) {
-  constexpr double first = 0.1;
-  State state = cylinder.space().start();
-  solve_at(cylinder, loading, first, state);
-  for (Eigen::Index i = 0; i < cylinder.space().velocity_count(); ++i)
-    state.set(i, cylinder.scene().lambda_r / first * state.value()[i]);
-  solve_at(cylinder, loading, cylinder.scene().lambda_r, state);
+  State state;
+  const auto newton = solve_creep(cylinder, loading, state);
+  BOOST_REQUIRE_MESSAGE(solve::is_success(newton.end), solve::name_of(newton.end));
   return state;
 }
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "common/solve/stopwatch.hpp"
-#include "verification/chapter.hpp"
+#include "verification/cost_parts.hpp"
 #include "verification/dense_parts.hpp"
 #include "verification/methods.hpp"
 
@@ -265,7 +265,7 @@ Chapter cost_study(const Context& context) {
               .push_back({method.label, order_case.name, elements, solution.iterations(),
                           solution.seconds, oned::errors(solution, own).l2});
         }
-      context.progress(0.9 * static_cast<double>(++done) /
+      context.progress(0.7 * static_cast<double>(++done) /
                        static_cast<double>(scenes.size() * methods.size()));
     }
     mark_front(runs);
@@ -282,6 +282,10 @@ Chapter cost_study(const Context& context) {
   process_speed(chapter);
   dense_kernel_costs(chapter, context);
   dense_work(chapter, context);
+  context.progress(0.75);
+  add_section_cost(chapter, context);
+  context.progress(0.85);
+  add_cylinder_cost(chapter, context);
   return chapter;
 }
 

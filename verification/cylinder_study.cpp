@@ -1,43 +1,11 @@
-// The flow around the cylinder: what the numbers below yield owe to mesh, penalty and outlet.
+// The flow around the cylinder: what the numbers below yield owe to mesh and outlet.
 #include <cmath>
 
-#include "common/solve/stopwatch.hpp"
-#include "twod/cylinder.hpp"
 #include "verification/cylinder_parts.hpp"
-#include "verification/methods.hpp"
+#include "verification/cylinder_runs.hpp"
 
 namespace talus::verification {
 namespace {
-
-// A loading solved from rest at the scene's λr, down to round-off.
-struct Creep {
-  twod::CylinderMeasures measures;
-  int factorisations = 0;
-  double seconds = 0;
-  std::size_t elements = 0;
-};
-
-Creep creep_at(const twod::Cylinder& scene, double loading) {
-  const solve::Stopwatch watch;
-  twod::CylinderFlow cylinder(scene);
-  auto path = twod::solve_from_rest(cylinder, loading);
-  solve::newton(
-      cylinder.flow(), path.next.state,
-      {.tolerance = 1e-14, .max_iterations = 5, .line_search = solve::LineSearch::residual_norm});
-  Creep creep;
-  creep.factorisations = cylinder.flow().factorisations();
-  creep.seconds = watch.seconds();
-  creep.elements = cylinder.space().element_count();
-  creep.measures = twod::measure(cylinder, path.next.state);
-  if (path.end != solve::PathEnd::target_reached) creep.measures.drag = std::nan("");
-  return creep;
-}
-
-twod::Cylinder scene_around(int around) {
-  twod::Cylinder scene;
-  scene.mesh = twod::refined_to(around);
-  return scene;
-}
 
 std::vector<std::string> row_of(const std::string& name, const Creep& creep) {
   const auto& m = creep.measures;
@@ -65,12 +33,11 @@ void meshes(Chapter& chapter, const Context& context) {
       {}};
   const std::vector<int> arounds = context.full ? std::vector{40, 80, 160} : std::vector{16, 24};
   double worst_imbalance = 0, worst_divergence = 0;
-  io::Curve error{"drag, F = 0.04", {}, {}};
   std::vector<Creep> of_loading;
   for (const double loading : {0.01, 0.04}) {
     of_loading.clear();
     for (const int around : arounds) {
-      const Creep creep = creep_at(scene_around(around), loading);
+      const Creep creep = creep_at(cylinder_around(around), loading);
       of_loading.push_back(creep);
       worst_imbalance = std::fmax(worst_imbalance, std::abs(creep.measures.imbalance()));
       worst_divergence = std::fmax(worst_divergence, creep.measures.projected_divergence);
@@ -98,7 +65,7 @@ void meshes(Chapter& chapter, const Context& context) {
 }
 
 void halves(Chapter& chapter) {
-  twod::Cylinder half = scene_around(16), full = half;
+  twod::Cylinder half = cylinder_around(16), full = half;
   full.mesh.full = true;
   const Creep a = creep_at(half, 0.03), b = creep_at(full, 0.03);
   io::Table table{
@@ -110,40 +77,9 @@ void halves(Chapter& chapter) {
   chapter.table(std::move(table));
 }
 
-void penalties(Chapter& chapter) {
-  io::Table table{
-      "Penalty at F = 0.03, λr = 1e-4: plain (div u = -λp p) against iterated (div u = "
-      "0, λp only conditions the solves)",
-      header,
-      {}};
-  twod::Cylinder scene = scene_around(16);
-  scene.lambda_r = 1e-4;
-  const Creep iterated = creep_at(scene, 0.03);
-  io::Curve error{"plain", {}, {}};
-  for (const double lambda_p : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
-    scene.penalty = {flow::Penalty::plain, lambda_p};
-    const Creep plain = creep_at(scene, 0.03);
-    table.rows.push_back(row_of("plain, λp = " + io::rounded(lambda_p), plain));
-    error.x.push_back(lambda_p);
-    error.y.push_back(std::abs(plain.measures.drag / iterated.measures.drag - 1));
-  }
-  table.rows.push_back(row_of("iterated", iterated));
-  // From larger λp the pressure answers to it too strongly.
-  const double order = std::log10(error.y[2] / error.y[3]) / 2;
-  chapter.check("plain penalty: order of its error in λp, 1e-6 to 1e-8", order, 0.9, 1.1);
-  chapter.text(
-      "The plain penalty leaves an error proportional to λp (order " + io::fixed(order, 2) +
-      " between 1e-6 and 1e-8); the iterated one none, for the same number of factorisations.");
-  chapter.table(std::move(table));
-  chapter.figure({"penalty",
-                  "Error of the drag that a plain penalty leaves, against the iterated one.",
-                  {{"Plain penalty", "λ_p", "relative error of the drag", true, true, {error}}},
-                  1});
-}
-
 void outlets(Chapter& chapter) {
   io::Table table{"Outlet condition and place at F = 0.044, 16 elements around", header, {}};
-  twod::Cylinder scene = scene_around(16);
+  twod::Cylinder scene = cylinder_around(16);
   double reference = 0, worst_viscous = 0, rest = 0;
   for (const double outlet : {15.0, 8.0, 5.0})
     for (const flow::Open open : {flow::Open::no, flow::Open::viscous}) {
@@ -178,7 +114,6 @@ void outlets(Chapter& chapter) {
 void cylinder_creep(Chapter& chapter, const Context& context) {
   meshes(chapter, context);
   halves(chapter);
-  penalties(chapter);
   outlets(chapter);
 }
 

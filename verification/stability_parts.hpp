@@ -1,4 +1,4 @@
-// The three parts of the stability study.
+// The parts of the stability study.
 #pragma once
 
 #include <vector>
@@ -14,5 +14,7 @@ std::vector<double> swept_lambda_r();
 void add_maps(Chapter& chapter, const Context& context);
 /// Loads swept through both limits of existence; certificates against exact limits.
 void add_limits(Chapter& chapter, const Context& context);
+/// Paths in λr of the flow around the cylinder past yield: meshes, pressures, penalties.
+void add_cylinder_atlas(Chapter& chapter, const Context& context);
 
 }  // namespace talus::verification

@@ -106,6 +106,7 @@ Chapter stability_study(const Context& context) {
   add_limits(chapter, context);
   context.progress(0.95);
   floor(chapter);
+  add_cylinder_atlas(chapter, context);
   return chapter;
 }
 

@@ -16,7 +16,7 @@ void evaluate_viscosity(const Regularisation& regularisation, const rheology::Rh
                         const Pack& shear_rate, const Pack& total_pressure, Pack& viscosity,
                         Pack& shear_rate_slope, Pack& pressure_slope) {
   for (std::size_t lane = 0; lane < lanes; ++lane) {
-    const auto p = rheology::regularise_pressure(total_pressure[lane], rheology.lambda_r);
+    const auto p = rheology.regularised_pressure(total_pressure[lane]);
     const rheology::Viscosity v =
         regularisation.evaluate(rheology.law, rheology.lambda_r, shear_rate[lane], p.value);
     viscosity[lane] = v.eta;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include <gnuplot-iostream.h>
 
@@ -51,6 +52,22 @@ std::string curve_style(const Curve& curve, std::size_t number) {
   return {};
 }
 
+// A range around values that are all the same, of which gnuplot makes none without a warning.
+std::string range(const char* axis, const Panel& panel, std::vector<double> Curve::*values,
+                  bool is_log) {
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const Curve& curve : panel.curves)
+    for (const double value : curve.*values)
+      if (std::isfinite(value) && (!is_log || value > 0)) {
+        lowest = std::min(lowest, value);
+        highest = std::max(highest, value);
+      }
+  if (lowest != highest) return {};
+  const double margin = lowest == 0 ? 1 : 0.1 * std::abs(lowest);
+  return std::string("set ") + axis + "range [" + exact(is_log ? lowest / 2 : lowest - margin) +
+         ":" + exact(is_log ? 2 * highest : highest + margin) + "]\n";
+}
+
 std::string panel_script(const Panel& panel, const std::string& data, std::size_t& block) {
   std::string script = "reset\nset border lc rgb '#444444'\nset grid lc rgb '#dddddd' lt 1\n";
   script += "set title " + quoted(panel.title) + "\nset xlabel " + quoted(panel.x_label) +
@@ -76,6 +93,7 @@ std::string panel_script(const Panel& panel, const std::string& data, std::size_
   }
   if (panel.log_x) script += "set logscale x\nset format x '10^{%L}'\n";
   if (panel.log_y) script += "set logscale y\nset format y '10^{%L}'\n";
+  script += range("x", panel, &Curve::x, panel.log_x) + range("y", panel, &Curve::y, panel.log_y);
   std::string plots;
   for (std::size_t i = 0; i < panel.curves.size(); ++i, ++block) {
     const Curve& curve = panel.curves[i];

@@ -165,6 +165,18 @@ BOOST_AUTO_TEST_CASE(figure_scripts_draw_every_block_of_the_data) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_panel_of_one_point_has_ranges_around_it) {
+  Figure figure = two_panels();
+  BOOST_TEST(!contains(figure_script(figure, "svg"), "set yrange [0"));
+  figure.panels[0].curves[0] = {"one", {0.1}, {-2}};
+  const std::string script = figure_script(figure, "svg");
+  BOOST_TEST(contains(script, "set xrange [0.05:0.2]\n"));  // logarithmic
+  BOOST_TEST(contains(script, "set yrange [-2.2:-1.8]\n"));
+  figure.panels[0].curves[0].x = {0.1, 0.1};
+  figure.panels[0].curves[0].y = {0, 0};
+  BOOST_TEST(contains(figure_script(figure, "svg"), "set yrange [-1:1]\n"));
+}
+
 BOOST_AUTO_TEST_CASE(figures_are_drawn_where_gnuplot_is_and_their_data_everywhere) {
   const TemporaryFolder temporary;
   const ResultFolder folder(temporary.path());

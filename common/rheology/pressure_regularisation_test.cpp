@@ -82,6 +82,35 @@ BOOST_AUTO_TEST_CASE(the_chain_rule_reaches_the_total_pressure) {
           }
 }
 
+BOOST_AUTO_TEST_CASE(the_pressure_may_have_a_floor_of_its_own) {
+  Rheology rheology{{}, ChauchatMedale{}, 1e-6};
+  const double own = rheology.evaluate(0.1, -1).eta;
+  BOOST_TEST(rheology.regularised_pressure(-1).value == regularise_pressure(-1, 1e-6).value);
+  rheology.pressure_floor = 1e-2;
+  BOOST_TEST(rheology.regularised_pressure(-1).value == regularise_pressure(-1, 1e-2).value);
+  BOOST_TEST(rheology.evaluate(0.1, -1).eta > 1e7 * own);
+  const Viscosity floored = rheology.evaluate(0.1, 1e-3);
+  const auto eta = [&](double q) { return rheology.evaluate(0.1, q).eta; };
+  BOOST_TEST(floored.d_eta_d_pressure == testing::difference(eta, 1e-3, 1e-2), tolerance(1e-9));
+  rheology.lambda_r = 0.1;  // larger than the floor
+  BOOST_TEST(rheology.regularised_pressure(-1).value == regularise_pressure(-1, 0.1).value);
+}
+
+BOOST_AUTO_TEST_CASE(a_pressure_that_is_not_regularised_carries_no_friction_where_it_is_negative) {
+  for (const Regularisation& regularisation : regularisations()) {
+    Rheology rheology{{}, regularisation, 1e-6};
+    rheology.regularises_pressure = false;
+    for (const double p : {-1., 0.}) {
+      const Viscosity none = rheology.evaluate(0.1, p);
+      BOOST_TEST(none.eta == 0);
+      BOOST_TEST(std::isfinite(none.d_eta_d_pressure));
+    }
+    BOOST_TEST(rheology.evaluate(0.1, 1).eta > 0);
+    rheology.regularises_pressure = true;
+    BOOST_TEST(rheology.evaluate(0.1, -1).eta > 0);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(regimes_change_at_mu_s_and_mu_2) {
   const FrictionLaw law;
   BOOST_CHECK(regime_under(law, 0) == Regime::at_rest);

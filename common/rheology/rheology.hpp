@@ -1,6 +1,8 @@
 // The law the solvers see: friction law, regularisation and pressure regularisation in one value.
 #pragma once
 
+#include <algorithm>
+
 #include "common/rheology/friction_law.hpp"
 #include "common/rheology/pressure_regularisation.hpp"
 #include "common/rheology/regularisation.hpp"
@@ -12,6 +14,9 @@ struct Rheology {
   FrictionLaw law;
   Regularisation regularisation;
   double lambda_r;  ///< regularisation parameter, a shear rate in (9)-(12), a pressure in (16)
+  double pressure_floor = 0;  ///< (16) takes this where it is larger than λr: a pressure that means
+                              ///< something, such as the weight of a grain
+  bool regularises_pressure = true;  ///< else p_regu = max(p, 0)
 
   Rheology(const FrictionLaw& friction_law = {},
            const Regularisation& of_viscosity = ChauchatMedale{}, double parameter = 1e-6)
@@ -19,10 +24,16 @@ struct Rheology {
         regularisation(for_law(of_viscosity, friction_law)),
         lambda_r(parameter) {}
 
+  /// p_regu(p_tot), eq. (16).
+  RegularisedPressure regularised_pressure(double total_pressure) const {
+    return regularise_pressure(total_pressure,
+                               regularises_pressure ? std::max(lambda_r, pressure_floor) : 0);
+  }
+
   /// η(|γ|, p_regu(p_tot)) of eq. (9)-(12) with eq. (16), derivatives with respect to |γ| and
   /// p_tot.
   Viscosity evaluate(double shear_rate, double total_pressure) const {
-    const RegularisedPressure p = regularise_pressure(total_pressure, lambda_r);
+    const RegularisedPressure p = regularised_pressure(total_pressure);
     Viscosity v = std::visit(
         [&](const auto& kind) { return kind.evaluate(law, lambda_r, shear_rate, p.value); },
         regularisation);

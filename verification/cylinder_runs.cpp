@@ -1,0 +1,109 @@
+#include "verification/cylinder_runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/solve/stopwatch.hpp"
+
+namespace talus::verification {
+namespace {
+
+constexpr double creeping = 0.044;
+
+twod::CylinderObserver recorder(Followed& followed) {
+  return [&followed](const auto&, const auto& measures, const auto& point) {
+    followed.measures.push_back(measures);
+    followed.points.push_back(point);
+    return true;
+  };
+}
+
+solve::PathOptions path_options(int max_points) {
+  auto options = twod::cylinder_path_options();
+  options.max_points = max_points;
+  options.smallest_step = 1e-4;  // at a fold the steps of natural continuation are halved to this
+  return options;
+}
+
+}  // namespace
+
+twod::Cylinder cylinder_around(int around, const rheology::Regularisation& law) {
+  twod::Cylinder scene;
+  scene.mesh = twod::refined_to(around);
+  scene.regularisation = law;
+  return scene;
+}
+
+std::vector<rheology::Regularisation> laws_of_paths() {
+  std::vector<rheology::Regularisation> laws = {rheology::ChauchatMedale{}};
+  for (const auto& law : rheology::regularisations())
+    if (!rheology::has_yield_stress(law)) laws.push_back(law);
+  return laws;
+}
+
+Creep creep_at(const twod::Cylinder& scene, double loading) {
+  const solve::Stopwatch watch;
+  twod::CylinderFlow cylinder(scene);
+  twod::CylinderFlow::State state;
+  solve::End end = twod::solve_creep(cylinder, loading, state).end;
+  if (!solve::is_success(end)) {
+    state = twod::solve_from_rest(cylinder, loading).next.state;
+    end = solve::newton(cylinder.flow(), state,
+                        {.tolerance = 1e-13, .line_search = solve::LineSearch::residual_norm})
+              .end;
+  }
+  Creep creep;
+  creep.factorisations = cylinder.flow().factorisations();
+  creep.seconds = watch.seconds();
+  creep.elements = cylinder.space().element_count();
+  creep.measures = twod::measure(cylinder, state);
+  if (!solve::is_success(end)) creep.measures.drag = std::nan("");
+  return creep;
+}
+
+int Followed::folds() const {
+  return static_cast<int>(
+      std::ranges::count_if(points, [](const auto& point) { return point.is_fold_passed; }));
+}
+
+double Followed::largest_loading() const {
+  double largest = 0;
+  for (const auto& m : measures) largest = std::max(largest, m.loading);
+  return largest;
+}
+
+double Followed::smallest_lambda_r() const {
+  double smallest = 1;
+  for (const auto& m : measures) smallest = std::min(smallest, m.lambda_r);
+  return smallest;
+}
+
+Followed along_loading(const twod::Cylinder& scene, double target, twod::Continuation continuation,
+                       int max_points) {
+  const solve::Stopwatch watch;
+  twod::CylinderFlow cylinder(scene);
+  auto start = twod::solve_from_rest(cylinder, creeping);
+  Followed followed;
+  followed.end =
+      twod::follow_loading(cylinder, {.state = start.next.state, .parameter = creeping}, target,
+                           continuation, path_options(max_points), recorder(followed))
+          .end;
+  followed.factorisations = cylinder.flow().factorisations();
+  followed.seconds = watch.seconds();
+  return followed;
+}
+
+Followed along_lambda_r(const twod::Cylinder& scene, double loading,
+                        twod::Continuation continuation, int max_points) {
+  const solve::Stopwatch watch;
+  twod::CylinderFlow cylinder(scene);
+  Followed followed;
+  followed.end = twod::solve_from_rest(cylinder, loading, continuation, path_options(max_points),
+                                       recorder(followed))
+                     .end;
+  followed.factorisations = cylinder.flow().factorisations();
+  followed.seconds = watch.seconds();
+  return followed;
+}
+
+}  // namespace talus::verification
