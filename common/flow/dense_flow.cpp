@@ -23,14 +23,20 @@ DenseFlow<Dim>::DenseFlow(const Space& space, rheology::Rheology rheology,
   for (std::size_t b = 0; b < loads_.size(); ++b)
     for (std::size_t q = 0; q < loads_[b].size(); ++q)
       for (std::size_t lane = 0; lane < lanes; ++lane) {
-        Point<Dim> position;
-        for (std::size_t d = 0; d < Dim; ++d)
-          position[static_cast<Eigen::Index>(d)] = space.batches()[b].points[q].position[d][lane];
+        const Point<Dim> position = position_of(b, q, lane);
         const Point<Dim> force = load.body_force(position);
         loads_[b][q].static_pressure[lane] = load.static_pressure(position);
         for (std::size_t d = 0; d < Dim; ++d)
           loads_[b][q].body_force[d][lane] = force[static_cast<Eigen::Index>(d)];
       }
+}
+
+template <int Dim>
+Point<Dim> DenseFlow<Dim>::position_of(std::size_t batch, std::size_t q, std::size_t lane) const {
+  Point<Dim> position;
+  for (std::size_t d = 0; d < Dim; ++d)
+    position[static_cast<Eigen::Index>(d)] = space_.batches()[batch].points[q].position[d][lane];
+  return position;
 }
 
 template <int Dim>
@@ -81,7 +87,48 @@ bool DenseFlow<Dim>::linear_solve(const Eigen::VectorXd& right_hand_side, State&
     if (!system_.solve(rest, correction)) return false;
     x = x.moved(1, State(correction));
   }
+  if (carries_stress_) update_carried_stress(x);
   return x.value().allFinite();
+}
+
+template <int Dim>
+void DenseFlow<Dim>::carry_stress(const StressField& stress) {
+  carries_stress_ = true;
+  carried_.clear();
+  if (!stress) return;
+  carried_.resize(loads_.size());
+  for (std::size_t b = 0; b < carried_.size(); ++b)
+    for (std::size_t q = 0; q < carried_[b].size(); ++q)
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const auto tau = stress(position_of(b, q, lane));
+        for (std::size_t i = 0; i < Dim; ++i)
+          for (std::size_t j = 0; j < Dim; ++j)
+            carried_[b][q][i][j][lane] =
+                tau(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      }
+}
+
+// τ after the step: η(γ + δγ) + (τ/η) (η'(|γ|) δ|γ| + η'(p) δp).
+template <int Dim>
+void DenseFlow<Dim>::update_carried_stress(const State& direction) {
+  carried_.resize(loads_.size());
+  for (std::size_t b = 0; b < states_.size(); ++b) {
+    const auto& batch = space_.batches()[b];
+    const BatchState<Dim> local(space_, batch, direction);
+    for (std::size_t q = 0; q < batch.points.size(); ++q) {
+      const PointState<Dim>& at = states_[b][q];
+      PackGradients<Dim> gradients;
+      physical_gradients<Dim>(batch.points[q], space_.bases()[q], gradients);
+      const PackTensor<Dim> change = rate_of_strain<Dim>(local.gradient(gradients));
+      const PackTensor<Dim> gamma = rate_of_strain<Dim>(at.gradient);
+      const Pack viscosity_change = 0.5 * at.shear_rate_slope * contract<Dim>(gamma, change) +
+                                    at.pressure_slope * local.pressure_at(batch.points[q]);
+      for (std::size_t i = 0; i < Dim; ++i)
+        for (std::size_t j = 0; j < Dim; ++j)
+          carried_[b][q][i][j] =
+              at.viscosity * (gamma[i][j] + change[i][j]) + viscosity_change * at.carried[i][j];
+    }
+  }
 }
 
 template <int Dim>
@@ -108,8 +155,8 @@ Eigen::VectorXd DenseFlow<Dim>::tangent_product(const State& x) const {
       change.divergence = residual_penalty() * pressure;
       for (std::size_t i = 0; i < Dim; ++i) {
         for (std::size_t j = 0; j < Dim; ++j) {
-          change.stress[i][j] =
-              at.viscosity * (gradient[i][j] + gradient[j][i]) + viscosity_change * gamma[i][j];
+          change.stress[i][j] = at.viscosity * (gradient[i][j] + gradient[j][i]) +
+                                viscosity_change * at.carried[i][j];
           change.body[i] += inertia_ * factors_.inertia *
                             (velocity[j] * at.gradient[i][j] + at.velocity[j] * gradient[i][j]);
         }

@@ -63,6 +63,12 @@ class DenseFlow {
   /// dR/d(load factor) and, by a central difference, dR/d(ln λr) at a state; the tangent stays.
   Eigen::VectorXd load_derivative() const;
   Eigen::VectorXd log_lambda_r_derivative(const State& state) const;
+  /// From now on every linear solve is taken as a Newton step of τ/η(|γ|, p) = γ, with a stress τ
+  /// carried beside the state (the primal-dual form, as ShearFlow's): another way to the same
+  /// solution, with fewer steps where η saturates. τ starts from `stress`, ηγ by position, or
+  /// without one from the first step.
+  using StressField = std::function<Eigen::Matrix<double, Dim, Dim>(const Point<Dim>&)>;
+  void carry_stress(const StressField& stress = {});
   /// Sign of det J of the matrix last factored.
   int determinant_sign() const { return system_.determinant_sign(); }
 
@@ -78,6 +84,7 @@ class DenseFlow {
     Pack static_pressure;
     PackVector<Dim> body_force;
   };
+  Point<Dim> position_of(std::size_t batch, std::size_t q, std::size_t lane) const;
   template <class Regularisation>
   void assemble(const Regularisation& regularisation, const rheology::Rheology& rheology,
                 const State& state, solve::Residual& residual, std::vector<States>* states) const;
@@ -88,6 +95,7 @@ class DenseFlow {
                       solve::Residual& residual) const;
   void add_open_sides(std::size_t batch, BatchTangent<Dim>& tangent) const;
   void add_open_sides(const State& x, Eigen::VectorXd& product) const;
+  void update_carried_stress(const State& direction);
   Pack tangent_penalty(std::size_t batch) const;
   double residual_penalty() const {
     return penalty_.kind == Penalty::plain ? penalty_.lambda_p : 0;
@@ -102,6 +110,8 @@ class DenseFlow {
   CondensedSystem<Dim> system_;
   std::vector<std::array<PointLoad, Space::points_per_element>> loads_;
   std::vector<States> states_;
+  bool carries_stress_ = false;
+  std::vector<std::array<PackTensor<Dim>, Space::points_per_element>> carried_;  // empty: ηγ
   State evaluated_;  // the state last evaluated
   solve::Residual residual_;
   Eigen::VectorXd reactions_;

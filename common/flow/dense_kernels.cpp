@@ -8,6 +8,7 @@ template <int Dim>
 struct ColumnTerms {
   PackVector<Dim> gradient;  // G_b
   PackVector<Dim> strain;    // b_b = γ·G_b
+  PackVector<Dim> carried;   // c_b = (τ/η)·G_b
   Pack advection;            // u·G_b
 };
 
@@ -39,8 +40,11 @@ void batch_tangent(const DenseSpace<Dim>& space, const typename DenseSpace<Dim>:
       column.gradient = gradients[b];
       column.advection = 0;
       for (std::size_t i = 0; i < Dim; ++i) {
-        column.strain[i] = 0;
-        for (std::size_t j = 0; j < Dim; ++j) column.strain[i] += gamma[i][j] * gradients[b][j];
+        column.strain[i] = column.carried[i] = 0;
+        for (std::size_t j = 0; j < Dim; ++j) {
+          column.strain[i] += gamma[i][j] * gradients[b][j];
+          column.carried[i] += states[q].carried[i][j] * gradients[b][j];
+        }
         column.advection += states[q].velocity[i] * gradients[b][i];
       }
     }
@@ -53,7 +57,7 @@ void batch_tangent(const DenseSpace<Dim>& space, const typename DenseSpace<Dim>:
   }
 
   struct RowTerms {
-    PackVector<Dim> viscous, slope;  // w η G_a, w (η'/|γ|) b_a
+    PackVector<Dim> viscous, slope;  // w η G_a, w (η'/|γ|) c_a
     Pack inertia;                    // w N_a
     PackTensor<Dim> shear;           // w N_a grad u
   };
@@ -69,12 +73,12 @@ void batch_tangent(const DenseSpace<Dim>& space, const typename DenseSpace<Dim>:
       row.inertia = advection * value(q, a) * point.weight;
       for (std::size_t i = 0; i < Dim; ++i) {
         row.viscous[i] = viscous * own.gradient[i];
-        row.slope[i] = slope * own.strain[i];
+        row.slope[i] = slope * own.carried[i];
         for (std::size_t j = 0; j < Dim; ++j)
           row.shear[i][j] = row.inertia * states[q].gradient[i][j];
         const Pack divergence = point.weight * own.gradient[i];
         const Pack stress =
-            factors.pressure * point.weight * states[q].pressure_slope * own.strain[i];
+            factors.pressure * point.weight * states[q].pressure_slope * own.carried[i];
         for (std::size_t k = 0; k < pressures; ++k) {
           const Pack psi = k == 0 ? Pack(1) : point.pressure_basis[k - 1];
           to_pressure[i][k] += psi * (stress - divergence);

@@ -30,6 +30,7 @@ struct PointState {
   PackVector<Dim> velocity;
   PackTensor<Dim> gradient;  ///< gradient[i][j] = ∂_j u_i
   Pack viscosity;            ///< η
+  PackTensor<Dim> carried;   ///< τ/η, τ the stress carried along: γ at the solution
   Pack shear_rate_slope;     ///< η'(|γ|)/|γ|
   Pack pressure_slope;       ///< η'(p)
 };
@@ -168,10 +169,11 @@ struct BatchForce {
   }
 };
 
-/// The tangents of a batch. With G_a = grad N_a, b_a = γ·G_a and w the quadrature weight,
-///   ∂R_ai/∂u_bj = Σ w { η (δ_ij G_a·G_b + G_aj G_bi) + (η'/|γ|) b_ai b_bj
+/// The tangents of a batch. With G_a = grad N_a, b_a = γ·G_a, c_a = (τ/η)·G_a and w the quadrature
+/// weight,
+///   ∂R_ai/∂u_bj = Σ w { η (δ_ij G_a·G_b + G_aj G_bi) + (η'/|γ|) c_ai b_bj
 ///                       + N_a (δ_ij u·G_b + ∂_j u_i N_b) },
-///   ∂R_ai/∂p_k = Σ w ψ_k (η'(p) b_ai - G_ai),  ∂R_k/∂u_bj = -Σ w ψ_k G_bj,
+///   ∂R_ai/∂p_k = Σ w ψ_k (η'(p) c_ai - G_ai),  ∂R_k/∂u_bj = -Σ w ψ_k G_bj,
 ///   ∂R_k/∂p_l = -λp Σ w ψ_k ψ_l.
 template <int Dim>
 void batch_tangent(const DenseSpace<Dim>& space, const typename DenseSpace<Dim>::Batch& batch,

@@ -84,6 +84,25 @@ BoundedIntegrand<Dim> integrand_at(const PointState<Dim>& at, const Pack& pressu
   return result;
 }
 
+// τ/η for a stress τ carried along, cut to where the tangent stays positive definite: below
+// σ/(1 - x), σ = η|γ|, x = d ln σ/d ln|γ|; at σ(1 + x/2).
+template <int Dim>
+PackTensor<Dim> carried_strain(const PointState<Dim>& at, const PackTensor<Dim>& gamma,
+                               const PackTensor<Dim>& stress) {
+  using std::experimental::max;
+  using std::experimental::min;
+  using std::experimental::sqrt;
+  const Pack square = 0.5 * contract<Dim>(gamma, gamma), tiny = std::numeric_limits<double>::min();
+  const Pack x = 1 + at.shear_rate_slope * square / at.viscosity;
+  const Pack limit = at.viscosity * sqrt(square) * (1 + 0.5 * x);
+  const Pack size = max(sqrt(0.5 * contract<Dim>(stress, stress)), tiny);
+  const Pack factor = min(limit / size, Pack(1)) / at.viscosity;
+  PackTensor<Dim> carried;
+  for (std::size_t i = 0; i < Dim; ++i)
+    for (std::size_t j = 0; j < Dim; ++j) carried[i][j] = factor * stress[i][j];
+  return carried;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -145,7 +164,10 @@ void DenseFlow<Dim>::assemble(const Regularisation& regularisation,
       force.add(point, basis, gradients, integrand.value);
       magnitude.add_bound(point, basis, gradients, integrand.size);
       round_off.add_bound(point, basis, gradients, integrand.error);
-      if (states) (*states)[b][q] = at;
+      if (states) {
+        at.carried = carried_.empty() ? gamma : carried_strain<Dim>(at, gamma, carried_[b][q]);
+        (*states)[b][q] = at;
+      }
     }
     force.scatter(space_, batch, residual.value);
     magnitude.scatter(space_, batch, residual.magnitude);
