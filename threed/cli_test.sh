@@ -39,7 +39,7 @@ for file in surface.csv newton.csv heap.vtu; do
   check has_file $file
 done
 check succeeds heap "$heap" --model 3d --elements 1x5x6 --flow-rate 39.71 --start section
-check expect_text stdout "flow rate Q* = 39.71" "times as much"
+check expect_text stdout "flow rate Q* = 39.71" "times that"
 check is_below 1e-10 departure_from_section
 
 # 3. Wrong input.

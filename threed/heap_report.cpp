@@ -74,14 +74,13 @@ void add_comparison(nlohmann::json& summary, const HeapSolution& solution,
 }
 
 std::string comparison_lines(const HeapSolution& solution, const twod::SectionSolution* section) {
-  std::string lines = "cross-flow " + io::rounded(solution.cross_flow, 2) + ", dynamic pressure " +
-                      io::rounded(solution.dynamic_pressure, 2) +
-                      "\nhint: --model section gives the same flow for a fraction of the cost";
-  if (section)
-    lines += ": here " + io::rounded(section->seconds, 2) + " s against " +
-             io::rounded(solution.middle.seconds, 2) + " s in 3d, " +
-             io::rounded(solution.middle.seconds / section->seconds, 2) + " times as much";
-  return lines + '\n';
+  const std::string lines = "cross-flow " + io::rounded(solution.cross_flow, 2) +
+                            ", dynamic pressure " + io::rounded(solution.dynamic_pressure, 2) +
+                            "\nhint: --model section gives the same flow ";
+  if (!section) return lines + "for a fraction of the cost\n";
+  return lines + "in " + io::rounded(section->seconds, 2) + " s; 3d took " +
+         io::rounded(solution.middle.seconds, 2) + " s more, " +
+         io::rounded(solution.middle.seconds / section->seconds, 2) + " times that\n";
 }
 
 std::string mesh_lines(const HeapSolution& solution) {

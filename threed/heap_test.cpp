@@ -28,12 +28,12 @@ double apart(const HeapSolution& solution, const twod::SectionSolution& section)
   return flow::departure(solution.flow->space(), solution.state, section.velocity, 1).velocity;
 }
 
-constexpr HeapMesh small{1, {6, 8}};
+constexpr HeapMesh small{1, {4, 6}};
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(from_rest_it_is_the_cross_section_without_cross_flow_or_dynamic_pressure) {
-  for (const HeapMesh& mesh : {small, {2, {5, 6, 2, 2}}})
+  for (const HeapMesh& mesh : {small, {2, {3, 4, 2, 2}}})
     for (const double angle : {0.38, 0.42}) {
       const Heap heap = heap_at(angle);
       const HeapSolution solution = threed::solve(heap, mesh, {.start = Start::rest});
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_section_is_not_taken_for_the_solution) {
 
 BOOST_AUTO_TEST_CASE(nested_meshes_and_a_carried_stress_save_factorisations_of_the_fine_mesh) {
   const Heap heap = heap_at(0.41);
-  const HeapMesh mesh{1, {16, 24}};
+  const HeapMesh mesh{1, {16, 16}};
   const HeapSolution nested = threed::solve(heap, mesh);
   const HeapSolution rest = threed::solve(heap, mesh, {.start = Start::rest});
   HeapOptions plain{.start = Start::rest, .carry_stress = false};

@@ -211,3 +211,32 @@ BOOST_AUTO_TEST_CASE(derivatives_in_the_parameters_are_those_of_the_residual) {
         BOOST_TEST(by_lambda.lpNorm<Eigen::Infinity>() > 1e-6 * magnitude);
     }
 }
+
+BOOST_AUTO_TEST_CASE(a_carried_stress_changes_the_way_to_the_solution_and_not_the_solution) {
+  const DenseSpace<2> space(awkward_mesh2(3, 4), mixed_conditions<2>(false));
+  const auto rheology = rheology_of(rheology::ChauchatMedale{});
+  const auto load = test_load<2>(0);
+  DenseFlow<2> plain(space, rheology, load), carrying(space, rheology, load);
+  auto state = state_of(space, {"start", 1, 0, 0.5, 0});
+  auto other = state;
+  const Eigen::VectorXd direction = Eigen::VectorXd::LinSpaced(space.size(), -1, 1);
+  const auto product = [&](DenseFlow<2>& problem, const solve::CompensatedVector& at) {
+    problem.evaluate(at);
+    return problem.tangent_product(solve::CompensatedVector(direction));
+  };
+  // τ = 0: of η' nothing is left.
+  DenseFlow<2> frozen(space, rheology, load);
+  frozen.set_tangent_factors({.shear_rate = 0, .pressure = 0});
+  DenseFlow<2> without_stress(space, rheology, load);
+  without_stress.carry_stress([](const Point<2>&) { return Eigen::Matrix2d::Zero().eval(); });
+  BOOST_TEST(distance(product(carrying, state), product(plain, state)) < 1e-14);
+  BOOST_TEST(distance(product(without_stress, state), product(frozen, state)) < 1e-14);
+  BOOST_TEST(distance(product(frozen, state), product(plain, state)) > 1e-3);
+
+  carrying.carry_stress();
+  BOOST_TEST(solve::is_success(solve_to_round_off(plain, state).end));
+  BOOST_TEST(solve::is_success(solve_to_round_off(carrying, other).end));
+  BOOST_TEST(distance(other.value(), state.value()) < 1e-10);
+  // At the solution the stress carried is ηγ and both tangents are the same.
+  BOOST_TEST(distance(product(carrying, state), product(plain, state)) < 1e-6);
+}
