@@ -137,8 +137,9 @@ int check_jacobian(const Options& options, flow::CrossSection<2>& space) {
   if (!options.is_3d())
     return program::report("heap", flow::check_jacobian(space, twod::load_of(options.section),
                                                         section_options(options)));
-  const threed::HeapSolution solution =
-      threed::solve(heap_of(options), options.mesh, heap_options(options));
+  threed::HeapOptions from_rest = heap_options(options);
+  from_rest.start = threed::Start::rest;
+  const auto solution = threed::solve(heap_of(options), options.mesh, from_rest);
   threed::HeapFlow heap(heap_of(options), options.mesh);
   if (options.method.tangent == "wrong-sign")
     heap.flow().set_tangent_factors({.shear_rate = -1, .pressure = -1});
