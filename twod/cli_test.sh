@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# The programs from outside: sample runs, wrong input, limits of existence, resumption.
-# usage: cli_test.sh HEAP CYLINDER SOURCE_FOLDER
+# The cylinder's program from outside: sample runs, wrong input, resumption.
+# usage: cli_test.sh CYLINDER SOURCE_FOLDER
 set -u
-heap=$1 cylinder=$2 source_folder=$3
+cylinder=$1 source_folder=$2
 # shellcheck source=common/testing/cli_checks.sh
 . "$source_folder/../common/testing/cli_checks.sh"
 
@@ -12,7 +12,7 @@ run_again() {
   code=$?
 }
 
-# result KEY: that of results in the summary of the last cylinder.
+# result KEY: that of results in the summary of the last run.
 result() {
   sed -n '/^  "results": {/,/^  }/s/^    "'"$1"'": \([^,]*\),*$/\1/p' \
     "$work/run/results/cylinder/summary.json"
@@ -52,8 +52,7 @@ agrees_to_1e_8() {  # A B
     { echo "'$1' is not '$2'"; return 1; }
 }
 
-# 1. The sample runs of the programs' headers.
-check_samples "$heap" "$source_folder/heap_main.cpp" section
+# 1. The sample runs of the program's header.
 check_samples "$cylinder" "$source_folder/cylinder_main.cpp" drag
 check has_results drag drag_traction mean_velocity min_pressure
 for file in sweep.csv sweep.pvd path.csv perimeter.csv flow_0001.vtu checkpoint.bin; do
@@ -61,17 +60,6 @@ for file in sweep.csv sweep.pvd path.csv perimeter.csv flow_0001.vtu checkpoint.
 done
 
 # 2. Wrong input.
-for value in 0x5 5x0 7 7x x 7x-3 abc 1e9x2; do
-  check refuses --elements "'$value'" -- "$heap" --elements "$value"
-done
-check refuses --angle "'2'" 1.57 -- "$heap" --angle 2
-check refuses --flow-rate "'-1'" -- "$heap" --flow-rate -1
-check refuses --angle --flow-rate -- "$heap" --angle 0.4 --flow-rate 10
-check refuses --model "'4d'" section -- "$heap" --model 4d
-check refuses --wall "'ice'" no-slip friction -- "$heap" --wall ice
-check refuses --lambda-r "'0'" -- "$heap" --lambda-r 0
-check refuses --frobnicate -- "$heap" --frobnicate
-check refuses --output -- "$heap" --elements 3x4 --output "$work/file/below"
 for value in 17 8 648 x ''; do
   check refuses --around "'$value'" "16 ... 640" -- "$cylinder" --around "$value"
 done
@@ -91,23 +79,13 @@ check refuses --max-points "'1'" -- "$cylinder" --max-points 1
 check refuses --output "'$work/file/below'" -- "$cylinder" --around 16 --output "$work/file/below"
 check refuses --frobnicate -- "$cylinder" --frobnicate
 
-# 3. The limits of existence.
-check has_no_steady_flow 0.571439 "$heap" --elements 3x4 --angle 0.7
-check is_at_rest heap "$heap" --elements 7x10 --angle 0.3
-
-# 4. A solve that does not succeed says so; so does a Jacobian check.
-run "$heap" --elements 7x10 --max-iterations 2
-check expect_code 1
-check expect_text stderr stagnated
-run "$heap" --elements 3x4 --method newton --check-jacobian --tangent wrong-sign
-check expect_code 1
-check expect_text stdout WRONG
+# 3. A solve that does not succeed says so.
 run "$cylinder" --around 16 --loading 0.052 --continuation natural  # beyond the yield load
 check expect_code 1
 check expect_text stderr step_too_small "F = 0.0501"
 check expect_text run/results/cylinder/summary.json '"status": "step_too_small"'
 
-# 5. A cylinder that was interrupted goes on from its checkpoint to the same flow.
+# 4. A cylinder that was interrupted goes on from its checkpoint to the same flow.
 flow=("$cylinder" --around 16 --sweep 0.03:0.045:2)
 check succeeds cylinder "${flow[@]}"
 drag=$(result drag) velocity=$(result mean_velocity) factorisations=$(grep factorisations \
@@ -165,8 +143,6 @@ run "$cylinder" --around 16 --loading 0.03 --lambda-r 1e-3 --no-pressure-regular
 check expect_code 0
 
 # 7. Negative controls.
-check_fails refuses --elements -- "$heap" --elements 3x4
-check_fails is_at_rest heap "$heap" --elements 7x10 --angle 0.42
 check_fails refuses --around -- "$cylinder" --around 16 --loading 0.01
 check_fails has_results no_such_result
 check_fails has_file no_such_file

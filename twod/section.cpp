@@ -75,10 +75,14 @@ flow::ShearOptions default_options() {
   return options;
 }
 
+SectionLines lines_of(const Section& section, const SectionMesh& mesh) {
+  return {fem::graded_line(0, section.width / 2, mesh.across, mesh.grading_to_wall),
+          fem::graded_line(0, section.height, mesh.up, mesh.grading_to_surface)};
+}
+
 flow::CrossSection<2> space_of(const Section& section, const SectionMesh& mesh) {
+  const auto [y, z] = lines_of(section, mesh);
   const double half = section.width / 2;
-  const auto y = fem::graded_line(0, half, mesh.across, mesh.grading_to_wall);
-  const auto z = fem::graded_line(0, section.height, mesh.up, mesh.grading_to_surface);
   const bool slips = section.wall == Wall::friction;
   return flow::CrossSection<2>(
       flow::rectangle_mesh(

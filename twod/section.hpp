@@ -37,6 +37,12 @@ struct SectionSolution : flow::ShearSolution {
 /// Newton at λr = 1e-5 from a rough solve at 1e-2, and from one every three decades if λr is less.
 flow::ShearOptions default_options();
 
+/// Boundaries of the elements along y, from the middle to the wall, and along z, upwards.
+struct SectionLines {
+  std::vector<double> across, up;
+};
+SectionLines lines_of(const Section& section, const SectionMesh& mesh);
+
 /// The space of a mesh: it depends on no angle, so that one serves a whole search.
 flow::CrossSection<2> space_of(const Section& section, const SectionMesh& mesh);
 

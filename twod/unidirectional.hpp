@@ -6,6 +6,7 @@
 #include <span>
 
 #include "common/flow/dense_flow.hpp"
+#include "common/flow/extrusion.hpp"
 #include "oned/bagnold.hpp"
 #include "oned/chute.hpp"
 
@@ -29,11 +30,9 @@ flow::DenseSpace<2> space_of(const Unidirectional& flow, std::span<const double>
 /// Static pressure and driving force. `flow` must outlive the load.
 flow::DenseLoad<2> load_of(const Unidirectional& flow);
 
-/// How far a state is from the unidirectional one with these velocities (nodes across), relative to
-/// the largest velocity, or for pressure to the largest static one.
-struct Departure {
-  double velocity = 0, cross_flow = 0, pressure = 0;
-};
+/// How far a state is from the unidirectional one with these velocities (nodes across); pressure
+/// relative to the largest static one.
+using flow::Departure;
 Departure departure(const Unidirectional& flow, const flow::DenseSpace<2>& space,
                     const solve::CompensatedVector& state,
                     const solve::CompensatedVector& velocity);

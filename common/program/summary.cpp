@@ -2,6 +2,8 @@
 
 #include <iostream>
 
+#include <sys/resource.h>
+
 namespace talus::program {
 namespace {
 
@@ -78,6 +80,12 @@ io::Table iteration_table(const flow::ShearSolution& solution) {
 
 std::string iteration_file(const flow::ShearSolution& solution) {
   return solution.is_of_newton() ? "newton.csv" : "interior_point.csv";
+}
+
+double peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) * 1024 / 1e6;  // from KiB
 }
 
 int report(const std::string& scene, const std::vector<flow::NamedCheck>& checks) {

@@ -22,6 +22,9 @@ io::Table iteration_table(const flow::ShearSolution& solution);
 /// newton.csv or interior_point.csv.
 std::string iteration_file(const flow::ShearSolution& solution);
 
+/// Largest memory the process has held so far, in MB.
+double peak_memory();
+
 /// Prints the checks of a scene and whether all passed; the exit code of --check-jacobian.
 int report(const std::string& scene, const std::vector<flow::NamedCheck>& checks);
 

@@ -1,0 +1,78 @@
+#include "threed/heap.hpp"
+
+#include <algorithm>
+
+#include "common/fem/line_mesh.hpp"
+
+namespace talus::threed {
+namespace {
+
+double length_of(const Heap& heap, const HeapMesh& mesh) {
+  if (mesh.length > 0) return mesh.length;
+  return mesh.along * 0.5 * heap.section.width / mesh.section.across;
+}
+
+std::array<std::vector<double>, 3> lines_of(const Heap& heap, const HeapMesh& mesh) {
+  const auto [across, up] = twod::lines_of(heap.section, mesh.section);
+  return {fem::graded_line(0, length_of(heap, mesh), mesh.along, 1), across, up};
+}
+
+// Boundaries by their names in a tensor mesh.
+flow::BoundaryConditions<3> boundary_conditions(const Heap& heap) {
+  return {{"left", flow::fully_developed<3>(0)},
+          {"right", heap.open_outlet == flow::Open::no ? flow::fully_developed<3>(0)
+                                                       : flow::open_boundary<3>(heap.open_outlet)},
+          {"bottom", flow::symmetry<3>(1)},  // y = 0
+          {"top", flow::no_slip<3>()},       // the side wall
+          {"back", flow::no_slip<3>()},      // z = 0
+          {"front", {}}};                    // the free surface
+}
+
+flow::DenseLoad<3> load_of(const Heap& heap) {
+  using flow::Point;
+  const auto load = twod::load_of(heap.section);
+  return {[=](const Point<3>& x) { return load.pressure(x.tail<2>()); },
+          [=](const Point<3>& x) { return Point<3>(load.body_force(x.tail<2>()), 0, 0); }};
+}
+
+}  // namespace
+
+HeapMesh coarsened(const Heap& heap, HeapMesh mesh) {
+  mesh.length = length_of(heap, mesh);
+  for (int* elements : {&mesh.along, &mesh.section.across, &mesh.section.up})
+    *elements = (*elements + 1) / 2;
+  return mesh;
+}
+
+HeapFlow::HeapFlow(const Heap& heap, const HeapMesh& mesh)
+    : heap_(heap),
+      mesh_(mesh),
+      lines_(lines_of(heap, mesh)),
+      space_(flow::box_mesh(lines_[0], lines_[1], lines_[2]), boundary_conditions(heap)),
+      flow_(space_, {heap.section.law, heap.regularisation, heap.lambda_r}, load_of(heap)) {}
+
+HeapPoint HeapFlow::point_at(const State& state, std::size_t element,
+                             const flow::Point<3>& reference) const {
+  HeapPoint point{space_.values_at(state, element, reference)};
+  point.total_pressure = point.values.pressure +
+                         twod::load_of(heap_.section).pressure(point.values.position.tail<2>());
+  point.shear_rate = point.values.shear_rate();
+  point.viscosity = flow_.rheology().evaluate(point.shear_rate, point.total_pressure).eta;
+  return point;
+}
+
+HeapPoint HeapFlow::point_at(const State& state, const flow::Point<3>& position) const {
+  std::size_t element = 0;
+  flow::Point<3> reference;
+  for (std::size_t d = 3; d-- > 0;) {
+    const auto& line = lines_[d];
+    const auto i = static_cast<Eigen::Index>(d);
+    const auto after = std::upper_bound(line.begin() + 1, line.end() - 1, position[i]);
+    const double start = *(after - 1), end = *after;
+    reference[i] = (2 * position[i] - start - end) / (end - start);
+    element = element * (line.size() - 1) + static_cast<std::size_t>(after - line.begin() - 1);
+  }
+  return point_at(state, element, reference);
+}
+
+}  // namespace talus::threed

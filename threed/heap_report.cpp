@@ -1,0 +1,96 @@
+#include "threed/heap_report.hpp"
+
+#include "common/flow/extrusion.hpp"
+#include "common/program/grid.hpp"
+#include "common/program/summary.hpp"
+#include "twod/section_report.hpp"
+
+namespace talus::threed {
+
+nlohmann::json summary(const HeapSolution& solution, const flow::CrossSection<2>& section_space) {
+  nlohmann::json all = twod::summary(solution.middle, section_space);
+  all["results"]["cross_flow"] = solution.cross_flow;
+  all["results"]["dynamic_pressure"] = solution.dynamic_pressure;
+  all["results"]["change_along"] = solution.change_along;
+  all["meshes"] = nlohmann::json::array();
+  for (const MeshCost& cost : solution.meshes)
+    all["meshes"].push_back(
+        {{"elements", {cost.mesh.along, cost.mesh.section.across, cost.mesh.section.up}},
+         {"status", solve::name_of(cost.end)},
+         {"iterations", cost.iterations},
+         {"factorisations", cost.factorisations},
+         {"unknowns", cost.unknowns},
+         {"condensed_unknowns", cost.condensed},
+         {"factor_entries", cost.factor_entries},
+         {"seconds", cost.seconds}});
+  all["peak_memory_mb"] = program::peak_memory();
+  return all;
+}
+
+io::Grid<3> grid(const HeapSolution& solution) {
+  const HeapFlow& heap = *solution.flow;
+  const auto& space = heap.space();
+  io::Grid<3> grid = program::grid_of<3>(space.mesh(), {0, 1, 2});
+  const Eigen::VectorXd& state = solution.state.value();
+  grid.point_fields = {{"velocity", {state.begin(), state.begin() + space.velocity_count()}, 3}};
+  io::Field rate{"shear_rate", {}}, inertial{"inertial_number", {}}, pressure{"pressure", {}},
+      dynamic{"dynamic_pressure", {}}, stress{"stress", {}}, yield{"stress_over_yield_stress", {}};
+  const auto rule = flow::gauss_rule<3>(3);
+  const rheology::FrictionLaw& law = heap.heap().section.law;
+  for (std::size_t e = 0; e < space.element_count(); ++e) {
+    double rates = 0, pressures = 0, dynamics = 0, stresses = 0;  // means over the points
+    for (const auto& point : rule) {
+      const HeapPoint at = heap.point_at(solution.state, e, point.position);
+      const double share = 1 / static_cast<double>(rule.size());
+      rates += share * at.shear_rate;
+      pressures += share * at.total_pressure;
+      dynamics += share * at.values.pressure;
+      stresses += share * at.stress();
+    }
+    rate.values.push_back(rates);
+    pressure.values.push_back(pressures);
+    dynamic.values.push_back(dynamics);
+    stress.values.push_back(stresses);
+    inertial.values.push_back(law.inertial_number(rates, pressures));
+    yield.values.push_back(stresses / (law.mu_s * pressures));
+  }
+  grid.cell_fields = {rate, inertial, pressure, dynamic, stress, yield};
+  return grid;
+}
+
+io::Figure figure(const HeapSolution& solution, const flow::CrossSection<2>& section_space) {
+  io::Figure figure = twod::figure(solution.middle, section_space);
+  figure.name = "heap";
+  figure.caption = "heap in three dimensions, the section at half its length at Q* = " +
+                   io::rounded(twod::flow_rate(solution.middle, section_space), 6);
+  return figure;
+}
+
+void add_comparison(nlohmann::json& summary, const HeapSolution& solution,
+                    const twod::SectionSolution& section) {
+  summary["results"]["departure_from_section"] =
+      flow::departure(solution.flow->space(), solution.state, section.velocity, 1).velocity;
+  summary["section_seconds"] = section.seconds;
+}
+
+std::string comparison_lines(const HeapSolution& solution, const twod::SectionSolution* section) {
+  const std::string lines = "cross-flow " + io::rounded(solution.cross_flow, 2) +
+                            ", dynamic pressure " + io::rounded(solution.dynamic_pressure, 2) +
+                            "\nhint: --model section gives the same flow ";
+  if (!section) return lines + "for a fraction of the cost\n";
+  return lines + "in " + io::rounded(section->seconds, 2) + " s; 3d took " +
+         io::rounded(solution.middle.seconds, 2) + " s more, " +
+         io::rounded(solution.middle.seconds / section->seconds, 2) + " times that\n";
+}
+
+std::string mesh_lines(const HeapSolution& solution) {
+  std::string lines;
+  for (const MeshCost& cost : solution.meshes)
+    lines += std::to_string(cost.mesh.along) + "x" + std::to_string(cost.mesh.section.across) +
+             "x" + std::to_string(cost.mesh.section.up) +
+             " elements: " + std::to_string(cost.factorisations) + " factorisations, " +
+             io::rounded(cost.seconds, 3) + " s\n";
+  return lines;
+}
+
+}  // namespace talus::threed
