@@ -1,9 +1,7 @@
 // Taylor tests of the tangent of velocity-pressure flow, in the plane and in space: a part of the
 // Jacobian study.
-#include <array>
 #include <cmath>
 #include <limits>
-#include <span>
 
 #include "common/fem/line_mesh.hpp"
 #include "common/flow/dense_jacobian.hpp"
@@ -46,12 +44,22 @@ solve::CompensatedVector state_at(const flow::DenseSpace<Dim>& space, const Dens
   return state;
 }
 
-// Distorted elements, a wall, a symmetry, a free side and the open boundary of eq. (8).
+// Elements that are no parallelograms: four in the plane, two in space.
+template <int Dim>
+flow::Mesh<Dim> small_mesh() {
+  const auto once = fem::graded_line(0, 1, 1, 1), twice = fem::graded_line(0, 1, 2, 1);
+  if constexpr (Dim == 2) {
+    return flow::distorted(flow::tensor_mesh<2>({twice, twice}), 0.2, 1);
+  } else {
+    auto mesh = flow::tensor_mesh<3>({once, once, twice});
+    for (auto& x : mesh.nodes) x += 0.2 * flow::Point<3>(x[1] * x[2], x[2] * x[0], x[0] * x[1]);
+    return mesh;
+  }
+}
+
+// A wall, a symmetry, free sides and the open boundary of eq. (8).
 template <int Dim>
 flow::DenseSpace<Dim> small_space() {
-  const auto line = fem::graded_line(0, 1, 2, 1);
-  std::array<std::span<const double>, Dim> lines;
-  lines.fill(line);
   flow::BoundaryConditions<Dim> conditions = {{"left", flow::no_slip<Dim>()},
                                               {"bottom", flow::symmetry<Dim>(1)},
                                               {"top", {}},
@@ -60,7 +68,7 @@ flow::DenseSpace<Dim> small_space() {
     conditions["back"] = flow::fully_developed<3>(2);
     conditions["front"] = {};
   }
-  return {flow::distorted(flow::tensor_mesh<Dim>(lines), 0.2, 1), conditions};
+  return {small_mesh<Dim>(), conditions};
 }
 
 template <int Dim>
@@ -107,7 +115,7 @@ void check_tangents(Chapter& chapter) {
     return Dim == 2 ? solve::check_jacobian(jacobian, scale) : solve::check_blocks(jacobian, scale);
   };
   io::Table table{"Velocity-pressure flow: smallest slope over all blocks (" +
-                      std::string(Dim == 2 ? "4 distorted Q9/P1" : "8 distorted H27/P1") +
+                      std::string(Dim == 2 ? "4 distorted Q9/P1" : "2 distorted H27/P1") +
                       " elements, inertia, an open boundary)" +
                       (Dim == 2 ? ", and worst entry over the states" : ""),
                   {"law", "λr"},
@@ -115,7 +123,7 @@ void check_tangents(Chapter& chapter) {
   for (const DenseState& at : dense_states(1)) table.header.push_back(at.name);
   if (Dim == 2) table.header.push_back("worst entry");
   double smallest = std::numeric_limits<double>::infinity(), worst_entry = 0;
-  int wrong = 0, not_caught = 0, blocks_not_caught = 0;
+  int wrong = 0, not_caught = 0;
   for (const auto& law : rheology::regularisations())
     for (const double lambda_r : {1e-2, 1e-6}) {
       std::vector<std::string> row = {rheology::name_of(law), short_power(lambda_r)};
@@ -136,8 +144,8 @@ void check_tangents(Chapter& chapter) {
       for (const flow::TangentFactors& factors :
            {flow::TangentFactors{factor, 1, 1}, {1, factor, 1}, {1, 1, factor}})
         if (checked(law, 1e-2, {"", 1, 1, 1}, factors).passed()) ++not_caught;
-  for (const auto& law : rheology::regularisations())
-    blocks_not_caught += wrong_blocks_not_caught<Dim>(space, law, {"", 1, 1, 1}, scale);
+  const int blocks_not_caught =
+      wrong_blocks_not_caught<Dim>(space, rheology::ChauchatMedale{}, {"", 1, 1, 1}, scale);
   chapter.check(name + "smallest slope over all laws and states", smallest, lowest_slope, 4);
   if (Dim == 2) chapter.check(name + "largest error of an entry", worst_entry, 0, 1e-5);
   chapter.check(name + "wrong blocks or entries", wrong, 0, 0);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace talus::flow {
 namespace {
@@ -42,7 +43,8 @@ Departure departure(const DenseSpace<Dim>& space, const solve::CompensatedVector
     for (const auto& point : gauss_rule<Dim>(3))
       farthest.pressure =
           std::max(farthest.pressure, std::abs(space.values_at(state, e, point.position).pressure));
-  const double largest = velocity.value().lpNorm<Eigen::Infinity>();
+  const double largest = std::max(velocity.value().lpNorm<Eigen::Infinity>(),
+                                  std::numeric_limits<double>::min());  // at rest
   return {farthest.velocity / largest, farthest.cross_flow / largest,
           farthest.pressure / largest_pressure};
 }

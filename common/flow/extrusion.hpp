@@ -12,8 +12,8 @@ template <int Dim>
 solve::CompensatedVector extruded(const DenseSpace<Dim>& space,
                                   const solve::CompensatedVector& velocity);
 
-/// How far a state is from such a flow: relative to its largest velocity, and for pressure, taken at
-/// the quadrature points, to `largest_pressure`.
+/// How far a state is from such a flow: relative to its largest velocity, and for pressure, taken
+/// at the quadrature points, to `largest_pressure`.
 struct Departure {
   double velocity = 0, cross_flow = 0, pressure = 0;
 };
