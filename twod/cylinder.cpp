@@ -1,9 +1,8 @@
 #include "twod/cylinder.hpp"
 
-#include <set>
-
 #include <Eigen/Cholesky>
 
+#include "common/flow/reaction.hpp"
 #include "common/solve/natural_continuation.hpp"
 
 namespace talus::twod {
@@ -38,15 +37,7 @@ rheology::Rheology rheology_of(const Cylinder& scene) {
 
 // Vertical force of the constraint on the nodes of a boundary.
 double reaction(const CylinderFlow& cylinder, const std::string& boundary) {
-  const auto& space = cylinder.space();
-  std::set<Eigen::Index> nodes;
-  for (const flow::Face& face : space.mesh().boundaries.at(boundary))
-    for (const std::size_t local : flow::face_nodes<2>(face.side))
-      nodes.insert(space.mesh().elements[face.element][local]);
-  double sum = 0;
-  for (const Eigen::Index node : nodes)
-    sum += cylinder.flow().reactions()[space.velocity_index(node, 1)];
-  return sum;
+  return flow::total_reaction(cylinder.flow(), boundary, 1);
 }
 
 double traction_integral(const CylinderFlow& cylinder, const State& state) {

@@ -61,8 +61,8 @@ void measure_system(const flow::DenseSpace<Dim>& space, double inertia, int repe
   const auto states = sheared<Dim>();
   flow::CondensedSystem<Dim> system(space);
   const auto tangent_of = [&](std::size_t b, flow::BatchTangent<Dim>& tangent) {
-    flow::batch_tangent<Dim>(space, space.batches()[b], states, flow::Pack(1e-4), inertia, {},
-                             tangent);
+    flow::batch_tangent<Dim>(space, space.batches()[b], states, nullptr, flow::Pack(1e-4), inertia,
+                             {}, tangent);
   };
   const auto assemble = [&] {
     system.set_zero();

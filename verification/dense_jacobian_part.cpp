@@ -1,4 +1,5 @@
-// Taylor tests of the tangent of velocity-pressure flow: the 2D part of the Jacobian study.
+// Taylor tests of the tangent of velocity-pressure flow, in the plane and in space: a part of the
+// Jacobian study.
 #include <cmath>
 #include <limits>
 
@@ -11,8 +12,6 @@
 
 namespace talus::verification {
 namespace {
-
-using Space = flow::DenseSpace<2>;
 
 struct DenseState {
   std::string name;
@@ -28,11 +27,12 @@ std::vector<DenseState> dense_states(double lambda_r) {
 }
 
 // A manufactured flow scaled to this rate and moved along, the pressure about constant.
-solve::CompensatedVector state_at(const Space& space, const DenseState& at) {
-  const auto& flow = flow::manufactured_flows<2>().front();
+template <int Dim>
+solve::CompensatedVector state_at(const flow::DenseSpace<Dim>& space, const DenseState& at) {
+  const auto& flow = flow::manufactured_flows<Dim>().front();
   auto state = space.start();
-  for (Eigen::Index node = 0; node < space.velocity_count() / 2; ++node)
-    for (int i = 0; i < 2; ++i)
+  for (Eigen::Index node = 0; node < space.velocity_count() / Dim; ++node)
+    for (int i = 0; i < Dim; ++i)
       state.set(space.velocity_index(node, i),
                 at.translation +
                     at.shear_rate *
@@ -44,40 +44,88 @@ solve::CompensatedVector state_at(const Space& space, const DenseState& at) {
   return state;
 }
 
-// Distorted elements, a wall, a symmetry, a free side and the open boundary of eq. (8).
-Space small_space() {
-  const auto line = fem::graded_line(0, 1, 2, 1);
-  return {flow::distorted(flow::tensor_mesh<2>({line, line}), 0.2, 1),
-          {{"left", flow::no_slip<2>()},
-           {"bottom", flow::symmetry<2>(1)},
-           {"top", {}},
-           {"right", flow::open_boundary<2>()}}};
+// Elements that are no parallelograms: four in the plane, two in space.
+template <int Dim>
+flow::Mesh<Dim> small_mesh() {
+  const auto once = fem::graded_line(0, 1, 1, 1), twice = fem::graded_line(0, 1, 2, 1);
+  if constexpr (Dim == 2) {
+    return flow::distorted(flow::tensor_mesh<2>({twice, twice}), 0.2, 1);
+  } else {
+    auto mesh = flow::tensor_mesh<3>({once, once, twice});
+    for (auto& x : mesh.nodes) x += 0.2 * flow::Point<3>(x[1] * x[2], x[2] * x[0], x[0] * x[1]);
+    return mesh;
+  }
 }
 
-}  // namespace
+// A wall, a symmetry, free sides and the open boundary of eq. (8).
+template <int Dim>
+flow::DenseSpace<Dim> small_space() {
+  flow::BoundaryConditions<Dim> conditions = {{"left", flow::no_slip<Dim>()},
+                                              {"bottom", flow::symmetry<Dim>(1)},
+                                              {"top", {}},
+                                              {"right", flow::open_boundary<Dim>()}};
+  if constexpr (Dim == 3) {
+    conditions["back"] = flow::fully_developed<3>(2);
+    conditions["front"] = {};
+  }
+  return {small_mesh<Dim>(), conditions};
+}
 
-void check_dense_tangents(Chapter& chapter) {
+template <int Dim>
+flow::DenseLoad<Dim> downwards() {
+  return {[](const auto&) { return 0.0; },
+          [](const auto&) -> flow::Point<Dim> { return -flow::Point<Dim>::Unit(1); }};
+}
+
+// How many of the four blocks may be a percent too large without being caught; a plain penalty, so
+// that none is empty.
+template <int Dim>
+int wrong_blocks_not_caught(const flow::DenseSpace<Dim>& space, const rheology::Regularisation& law,
+                            const DenseState& at, double scale) {
+  flow::DenseFlow<Dim> problem(space, {{}, law, 1e-2}, downwards<Dim>(),
+                               {flow::Penalty::plain, 1e-2});
+  auto jacobian = flow::jacobian_problem(problem, state_at<Dim>(space, at));
+  const auto right = jacobian.product;
+  const auto only = [](const solve::Block& block, const Eigen::VectorXd& v) {
+    Eigen::VectorXd kept = Eigen::VectorXd::Zero(v.size());
+    for (const Eigen::Index i : block.indices) kept[i] = v[i];
+    return kept;
+  };
+  int not_caught = 0;
+  for (const solve::Block& rows : jacobian.rows)
+    for (const solve::Block& columns : jacobian.columns) {
+      jacobian.product = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
+        return right(v) + 0.01 * only(rows, right(only(columns, v)));
+      };
+      if (solve::check_blocks(jacobian, scale).passed()) ++not_caught;
+    }
+  return not_caught;
+}
+
+template <int Dim>
+void check_tangents(Chapter& chapter) {
   constexpr double scale = 0.1, lowest_slope = 1.8;
-  const Space space = small_space();
+  const std::string name = "velocity-pressure flow in " + std::to_string(Dim) + "D: ";
+  const auto space = small_space<Dim>();
   const auto checked = [&](const rheology::Regularisation& law, double lambda_r,
                            const DenseState& at, const flow::TangentFactors& factors) {
-    flow::DenseFlow<2> problem(
-        space, {{}, law, lambda_r},
-        {[](const auto&) { return 0.0; }, [](const auto&) { return flow::Point<2>(0, -1); }});
+    flow::DenseFlow<Dim> problem(space, {{}, law, lambda_r}, downwards<Dim>());
     problem.set_tangent_factors(factors);
-    return solve::check_jacobian(flow::jacobian_problem(problem, state_at(space, at)), scale);
+    const auto jacobian = flow::jacobian_problem(problem, state_at<Dim>(space, at));
+    return Dim == 2 ? solve::check_jacobian(jacobian, scale) : solve::check_blocks(jacobian, scale);
   };
-  io::Table table{
-      "Velocity-pressure flow: smallest slope over all blocks (4 distorted Q9/P1 "
-      "elements, inertia, an open boundary), and worst entry over the states",
-      {"law", "λr"},
-      {}};
+  io::Table table{"Velocity-pressure flow: smallest slope over all blocks (" +
+                      std::string(Dim == 2 ? "4 distorted Q9/P1" : "2 distorted H27/P1") +
+                      " elements, inertia, an open boundary)" +
+                      (Dim == 2 ? ", and worst entry over the states" : ""),
+                  {"law", "λr"},
+                  {}};
   for (const DenseState& at : dense_states(1)) table.header.push_back(at.name);
-  table.header.push_back("worst entry");
+  if (Dim == 2) table.header.push_back("worst entry");
   double smallest = std::numeric_limits<double>::infinity(), worst_entry = 0;
   int wrong = 0, not_caught = 0;
   for (const auto& law : rheology::regularisations())
-    for (const double lambda_r : {1e-2, 1e-6}) {
+    for (const double lambda_r : Dim == 2 ? std::vector{1e-2, 1e-6} : std::vector{1e-2}) {
       std::vector<std::string> row = {rheology::name_of(law), short_power(lambda_r)};
       double worst = 0;
       for (const DenseState& at : dense_states(lambda_r)) {
@@ -87,24 +135,35 @@ void check_dense_tangents(Chapter& chapter) {
         worst = std::max(worst, check.entries.worst);
         if (!check.passed()) ++wrong;
       }
-      row.push_back(io::rounded(worst, 2));
+      if (Dim == 2) row.push_back(io::rounded(worst, 2));
       table.rows.push_back(row);
       worst_entry = std::max(worst_entry, worst);
     }
   for (const auto& law : rheology::regularisations())
-    for (const double factor : {0.0, -1.0})
+    for (const double factor : Dim == 2 ? std::vector{0.0, -1.0} : std::vector{0.0})
       for (const flow::TangentFactors& factors :
            {flow::TangentFactors{factor, 1, 1}, {1, factor, 1}, {1, 1, factor}})
         if (checked(law, 1e-2, {"", 1, 1, 1}, factors).passed()) ++not_caught;
-  chapter.check("velocity-pressure flow: smallest slope over all laws and states", smallest,
-                lowest_slope, 4);
-  chapter.check("velocity-pressure flow: largest error of an entry", worst_entry, 0, 1e-5);
-  chapter.check("velocity-pressure flow: wrong blocks or entries", wrong, 0, 0);
-  chapter.check(
-      "velocity-pressure flow: broken tangents (η'(|γ|), η'(p) or the variation of "
-      "inertia dropped, or with the wrong sign) not caught",
-      not_caught, 0, 0);
+  const int blocks_not_caught =
+      wrong_blocks_not_caught<Dim>(space, rheology::ChauchatMedale{}, {"", 1, 1, 1}, scale);
+  chapter.check(name + "smallest slope over all laws and states", smallest, lowest_slope, 4);
+  if (Dim == 2) chapter.check(name + "largest error of an entry", worst_entry, 0, 1e-5);
+  chapter.check(name + "wrong blocks or entries", wrong, 0, 0);
+  chapter.check(name +
+                    "broken tangents (η'(|γ|), η'(p) or the variation of "
+                    "inertia dropped" +
+                    (Dim == 2 ? std::string(", or with the wrong sign") : "") + ") not caught",
+                not_caught, 0, 0);
+  chapter.check(name + "blocks a percent too large not caught", blocks_not_caught, 0, 0);
   chapter.table(std::move(table));
+}
+
+}  // namespace
+
+// In space less of it, and the blocks alone: entries would take 64 evaluations a column.
+void check_dense_tangents(Chapter& chapter) {
+  check_tangents<2>(chapter);
+  check_tangents<3>(chapter);
 }
 
 }  // namespace talus::verification

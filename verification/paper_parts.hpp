@@ -26,5 +26,7 @@ inline oned::Solution solve_uniform(const oned::ShearScene& scene, int elements,
 void add_chute(Chapter& chapter, io::Table& findings, const Context& context);
 /// Figs 6 to 8 and Table 1.
 void add_bagnold(Chapter& chapter, io::Table& findings, const Context& context);
+/// Fig. 7 and Table 1, and the chute, on the paper's three-dimensional meshes.
+void add_space(Chapter& chapter, io::Table& findings);
 
 }  // namespace talus::verification

@@ -6,13 +6,15 @@ namespace talus::verification {
 Chapter paper_study(const Context& context) {
   Chapter chapter{"paper", "Which figures of the paper do we reproduce, and which not?", {}, {}};
   chapter.text(
-      "Chauchat & Médale's one-dimensional results with their parameters, in one dimension. Their "
-      "meshes are one element thick in the other directions, which changes the prefactor of their "
-      "RMS, not its order.");
+      "Chauchat & Médale's one-dimensional results with their parameters, in one dimension; Fig. 7 "
+      "and Table 1 in three as well, on meshes one element thick in the other directions as "
+      "theirs are.");
   io::Table findings{
       "What the paper states and what we find", {"item", "the paper", "ours", "verdict"}, {}};
   add_chute(chapter, findings, context);
   add_bagnold(chapter, findings, context);
+  context.progress(0.9);
+  add_space(chapter, findings);
   chapter.blocks.insert(chapter.blocks.begin() + 1, findings);
   return chapter;
 }

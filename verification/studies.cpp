@@ -10,8 +10,7 @@ const std::vector<Study>& studies() {
       {"cost", "What is the cheapest way to a given error?", cost_study},
       {"stability", "Where do the methods fail, and do they say so?", stability_study},
       {"heap", "What does the heap's cross-section owe to its mesh, and what to λr?", heap_study},
-      {"ladder", "Does the richer model agree with the poorer, and what does it cost?",
-       ladder_study},
+      {"ladder", "Which model does a scene need, and what do richer ones cost?", ladder_study},
       {"cylinder", "How does the flow around a cylinder set in, and what folds its path?",
        cylinder_study}};
   return all;

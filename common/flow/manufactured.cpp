@@ -52,21 +52,35 @@ struct Turning2 {
   }
 };
 
-// A sheared Arnold-Beltrami-Childress flow.
+// A Taylor-Green vortex: every velocity depends on every coordinate.
+template <class X, class Y, class Z>
+auto vortex_u(const X& x, const Y& y, const Z& z) {
+  return 0.4 * sin(x) * cos(y) * cos(z);
+}
+template <class X, class Y, class Z>
+auto vortex_v(const X& x, const Y& y, const Z& z) {
+  return -0.2 * cos(x) * sin(y) * cos(z);
+}
+template <class X, class Y, class Z>
+auto vortex_w(const X& x, const Y& y, const Z& z) {
+  return -0.2 * cos(x) * cos(y) * sin(z);
+}
+
+// A sheared Arnold-Beltrami-Childress flow and the vortex.
 struct Sheared3 {
   static constexpr const char* name = "sheared";
   static constexpr double lambda_r = 1e-3;
   template <class X, class Y, class Z>
   static auto u(const X& x, const Y& y, const Z& z) {
-    return 2.0 * y + 0.2 * sin(z) + 0.3 * cos(y) + 0.0 * x;
+    return 2.0 * y + 0.2 * sin(z) + 0.3 * cos(y) + vortex_u(x, y, z);
   }
   template <class X, class Y, class Z>
   static auto v(const X& x, const Y& y, const Z& z) {
-    return 0.25 * sin(x) + 0.2 * cos(z) + 0.0 * y;
+    return 0.25 * sin(x) + 0.2 * cos(z) + vortex_v(x, y, z);
   }
   template <class X, class Y, class Z>
   static auto w(const X& x, const Y& y, const Z& z) {
-    return 0.3 * sin(y) + 0.25 * cos(x) + 0.0 * z;
+    return 0.3 * sin(y) + 0.25 * cos(x) + vortex_w(x, y, z);
   }
   template <class X, class Y, class Z>
   static auto p(const X& x, const Y& y, const Z& z) {
@@ -79,15 +93,15 @@ struct Turning3 {
   static constexpr double lambda_r = 0.5;
   template <class X, class Y, class Z>
   static auto u(const X& x, const Y& y, const Z& z) {
-    return 0.5 * sin(2.0 * y) + 0.2 * cos(z) + 0.2 * x;
+    return 0.5 * sin(2.0 * y) + 0.2 * cos(z) + 0.2 * x + vortex_u(x, y, z);
   }
   template <class X, class Y, class Z>
   static auto v(const X& x, const Y& y, const Z& z) {
-    return 0.5 * sin(2.0 * x) - 0.2 * y + 0.0 * z;
+    return 0.5 * sin(2.0 * x) - 0.2 * y + vortex_v(x, y, z);
   }
   template <class X, class Y, class Z>
   static auto w(const X& x, const Y& y, const Z& z) {
-    return 0.2 * sin(x + y) + 0.0 * z;
+    return 0.2 * sin(x + y) + vortex_w(x, y, z);
   }
   template <class X, class Y, class Z>
   static auto p(const X& x, const Y& y, const Z& z) {

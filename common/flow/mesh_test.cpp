@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "common/fem/line_mesh.hpp"
+#include "common/flow/layer.hpp"
 #include "common/flow/mesh_tools.hpp"
 
 using namespace talus;
@@ -229,4 +230,35 @@ BOOST_AUTO_TEST_CASE(a_distorted_box_keeps_its_volume_and_too_much_distortion_is
   BOOST_TEST(smallest_jacobian(moved) > 0);
   BOOST_TEST((moved.nodes != mesh.nodes));
   BOOST_TEST(smallest_jacobian(distorted(unit_square(16), 1.5, 1)) < 0);
+}
+
+BOOST_AUTO_TEST_CASE(an_extruded_mesh_has_the_volume_the_order_and_the_boundaries_of_its_plane) {
+  const Mesh<2> plane = annulus_mesh(0.5, 1.5, 3, 2);
+  const Line line = {-1, 0, 0.5};
+  const Mesh<3> mesh = extruded_mesh(plane, line);
+  BOOST_TEST(mesh.elements.size() == 2 * plane.elements.size());
+  BOOST_TEST(mesh.nodes.size() == 5 * plane.nodes.size());
+  BOOST_TEST(smallest_jacobian(mesh) > 0);
+  BOOST_TEST(measure(mesh) == 1.5 * measure(plane), boost::test_tools::tolerance(1e-14));
+  for (const auto& [name, faces] : plane.boundaries)
+    BOOST_TEST(measure(mesh, mesh.boundaries.at(name)) == 1.5 * measure(plane, faces),
+               boost::test_tools::tolerance(1e-14));
+  for (const auto* end : {"back", "front"})
+    BOOST_TEST(measure(mesh, mesh.boundaries.at(end)) == measure(plane),
+               boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(lies_on(mesh, "back", 2, -1));
+  BOOST_TEST(lies_on(mesh, "front", 2, 0.5));
+  std::size_t named = 0;
+  for (const auto& [name, faces] : mesh.boundaries) named += faces.size();
+  BOOST_TEST(named == outer_faces(mesh).size());
+}
+
+BOOST_AUTO_TEST_CASE(an_extruded_rectangle_is_the_box) {
+  const Mesh<3> box = box_mesh(x_line, y_line, z_line);
+  const Mesh<3> mesh = extruded_mesh(tensor_mesh<2>({x_line, y_line}), z_line);
+  BOOST_TEST((mesh.nodes == box.nodes));
+  BOOST_TEST((mesh.elements == box.elements));
+  for (const auto& [name, faces] : box.boundaries)
+    BOOST_TEST(measure(mesh, mesh.boundaries.at(name)) == measure(box, faces),
+               boost::test_tools::tolerance(1e-14));
 }

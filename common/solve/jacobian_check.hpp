@@ -57,6 +57,9 @@ struct JacobianCheck {
 /// Random directions (fixed seed) of the size `scale` in every column block.
 JacobianCheck check_jacobian(const JacobianProblem& problem, double scale = 1, unsigned seed = 1);
 
+/// The blocks alone; the entries, two evaluations a step of each column, pass untested.
+JacobianCheck check_blocks(const JacobianProblem& problem, double scale = 1, unsigned seed = 1);
+
 /// One line a block and one for the entries.
 void print(std::ostream& out, const JacobianCheck& check);
 

@@ -1,0 +1,42 @@
+// Chute and inclined plane once more, as velocity-pressure flow in the plane or in space: the first
+// axis along the stream, the last one the scene's own across it; in space the second lies between
+// them, and nothing changes along it. The solution is the unidirectional one, with no dynamic
+// pressure and no cross-flow: a check of the richer model by the poorer.
+#pragma once
+
+#include <span>
+
+#include "common/flow/dense_flow.hpp"
+#include "common/flow/extrusion.hpp"
+#include "oned/shear_scene.hpp"
+
+namespace talus::threed {
+
+/// Elements along the stream and between the two planes of symmetry, each as long as those across
+/// are on average. The paper has one and one.
+struct Thickness {
+  int along = 1, between = 1;
+};
+
+/// Flow enters and leaves fully developed; no slip at the scene's wall. The end without stress is
+/// free, which for the middle of the chute is the same as symmetry: there is no dynamic pressure.
+template <int Dim>
+flow::DenseSpace<Dim> space_of(const oned::ShearScene& scene, std::span<const double> across,
+                               const Thickness& thickness = {});
+/// Static pressure and driving force of a scene, which must outlive the load.
+template <int Dim>
+flow::DenseLoad<Dim> load_of(const oned::ShearScene& scene);
+
+/// The velocities along the stream of one line across, where the flow enters.
+template <int Dim>
+solve::CompensatedVector line_across(const flow::DenseSpace<Dim>& space,
+                                     const solve::CompensatedVector& state, Eigen::Index nodes);
+
+/// How far a state is from the unidirectional one with these velocities (nodes across); pressure
+/// relative to the largest static one.
+template <int Dim>
+flow::Departure departure(const oned::ShearScene& scene, const flow::DenseSpace<Dim>& space,
+                          const solve::CompensatedVector& state,
+                          const solve::CompensatedVector& velocity);
+
+}  // namespace talus::threed
