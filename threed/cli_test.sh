@@ -31,7 +31,7 @@ check_samples "$heap" "$work/heap_samples.cpp" heap
 
 # 2. The model in three dimensions tells what it found, and what would have done.
 check succeeds heap "$heap" --model 3d --elements 1x5x6 --start rest
-check expect_text stdout "hint: --model section" "1x5x6 elements"
+check expect_text stdout "hint: for the heap its cross-section" "1x5x6 elements"
 check is_below 1e-12 cross_flow
 check is_below 1e-10 dynamic_pressure
 check_fails is_below 1e-10 flow_rate

@@ -2,6 +2,7 @@
 
 #include "common/flow/extrusion.hpp"
 #include "common/program/grid.hpp"
+#include "common/program/model_choice.hpp"
 #include "common/program/summary.hpp"
 #include "twod/section_report.hpp"
 
@@ -74,11 +75,12 @@ void add_comparison(nlohmann::json& summary, const HeapSolution& solution,
 }
 
 std::string comparison_lines(const HeapSolution& solution, const twod::SectionSolution* section) {
-  const std::string lines = "cross-flow " + io::rounded(solution.cross_flow, 2) +
-                            ", dynamic pressure " + io::rounded(solution.dynamic_pressure, 2) +
-                            "\nhint: --model section gives the same flow ";
-  if (!section) return lines + "for a fraction of the cost\n";
-  return lines + "in " + io::rounded(section->seconds, 2) + " s; 3d took " +
+  const std::string lines =
+      "cross-flow " + io::rounded(solution.cross_flow, 2) + ", dynamic pressure " +
+      io::rounded(solution.dynamic_pressure, 2) + "\n" +
+      program::hint_of_poorer_model("heap", "3D", "its cross-section", "--model section") + "\n";
+  if (!section) return lines;
+  return lines + "the section took " + io::rounded(section->seconds, 2) + " s; 3d " +
          io::rounded(solution.middle.seconds, 2) + " s more, " +
          io::rounded(solution.middle.seconds / section->seconds, 2) + " times that\n";
 }

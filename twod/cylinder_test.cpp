@@ -183,7 +183,8 @@ BOOST_AUTO_TEST_CASE(arclength_passes_the_yield_load_where_natural_continuation_
 BOOST_AUTO_TEST_CASE(the_paths_lead_where_newton_leads) {
   constexpr double lambda_r = 1e-4;
   const CylinderMeasures direct = creep_at(scene(16, lambda_r), 0.03);
-  for (const auto continuation : {Continuation::arclength, Continuation::natural}) {
+  for (const auto continuation :
+       {Continuation::arclength, Continuation::natural, Continuation::primal_dual}) {
     CylinderFlow cylinder(scene(16, lambda_r));
     CylinderPath path = solve_from_rest(cylinder, 0.03, continuation);
     BOOST_REQUIRE((path.end == PathEnd::target_reached));

@@ -10,7 +10,7 @@
 namespace talus::verification {
 namespace {
 
-constexpr double loading = 0.04;
+constexpr double creep_loading = 0.04;
 // Limits at λr = 1e-6 as the first layer thins: 24 elements around, extrapolated from layers of
 // 0.04, 0.02 and 0.01. More elements around change the fourth digit.
 constexpr double limit_drag = 4.609, limit_velocity = 3.222e-6;
@@ -60,7 +60,7 @@ void check_limits(Chapter& chapter) {
   for (const double layer : {0.04, 0.02, 0.01}) {
     twod::Cylinder scene = cylinder_around(32);
     scene.mesh.first_layer = layer;
-    thinner.push_back(creep_at(scene, loading).measures);
+    thinner.push_back(creep_at(scene, creep_loading).measures);
   }
   const auto limit = [&](double twod::CylinderMeasures::*measure) {
     return richardson(thinner[0].*measure, thinner[1].*measure, thinner[2].*measure);
@@ -85,7 +85,7 @@ void meshes(Chapter& chapter, const Context& context) {
       scene.mesh.full = family.full;
       scene.mesh.first_layer *= family.layer;
       scene.penalty = family.penalty;
-      const Creep creep = creep_at(scene, loading);
+      const Creep creep = creep_at(scene, creep_loading);
       errors.add(creep);
       table.rows.push_back({family.label, std::to_string(around), std::to_string(creep.elements),
                             io::rounded(creep.measures.drag, 6),

@@ -47,6 +47,8 @@ struct Rung {
 std::vector<Rung> line_rungs(const Context& context);
 /// The cylinder in the plane against one layer of H27 elements.
 std::vector<Rung> cylinder_rungs(const Context& context);
+/// The heap as its cross-section against one layer of H27 elements along the stream.
+std::vector<Rung> heap_rungs(const Context& context);
 
 /// Negative controls: how far apart the two models are where one is driven by so much more.
 double lines_apart_with_force_times(double factor);

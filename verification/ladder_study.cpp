@@ -137,8 +137,8 @@ void check(Chapter& chapter, const Rung& rung) {
 Chapter ladder_study(const Context& context) {
   Chapter chapter{"ladder", "Which model does a scene need, and what do richer ones cost?", {}, {}};
   // A scene's rungs from its poorest model up; a further scene is one more entry.
-  const std::vector<std::function<std::vector<Rung>(const Context&)>> registry = {line_rungs,
-                                                                                  cylinder_rungs};
+  const std::vector<std::function<std::vector<Rung>(const Context&)>> registry = {
+      line_rungs, heap_rungs, cylinder_rungs};
   std::vector<Rung> rungs;
   for (const auto& rungs_of : registry) {
     for (Rung& rung : rungs_of(context)) rungs.push_back(std::move(rung));

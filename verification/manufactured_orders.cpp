@@ -10,7 +10,7 @@ namespace {
 
 using flow::FlowErrors;
 
-constexpr double tolerance = 0.15;  // of an order
+constexpr double order_tolerance = 0.15;  // of an order
 
 struct FlowNorm {
   std::string name;
@@ -97,8 +97,8 @@ void three_dimensions(Chapter& chapter, io::Table& table, const Context& context
       table.rows.push_back(row_of(each, family, measured));
       for (const FlowNorm& norm : flow_norms)
         chapter.check("3D " + label_of(each, family) + ": order of " + norm.name,
-                      measured.order(norm.error, sizes.size()), norm.order - tolerance,
-                      norm.order + tolerance);
+                      measured.order(norm.error, sizes.size()), norm.order - order_tolerance,
+                      norm.order + order_tolerance);
     }
   // Negative control.
   const MeshFamily<3> family = brick_family({2, 4, 6});
@@ -109,7 +109,7 @@ void three_dimensions(Chapter& chapter, io::Table& table, const Context& context
   row[3] += ", mapped pressure";
   table.rows.push_back(row);
   chapter.check("3D " + label_of(mapped, family) + ", mapped pressure: order of p",
-                lost.order(&FlowErrors::pressure, 3), 0.5, 2 - 2 * tolerance);
+                lost.order(&FlowErrors::pressure, 3), 0.5, 2 - 2 * order_tolerance);
 }
 
 }  // namespace
@@ -147,8 +147,8 @@ void manufactured_orders(Chapter& chapter, const Context& context) {
           table.rows.push_back(row_of(each, family, measured));
           for (const FlowNorm& norm : flow_norms)
             chapter.check(label_of(each, family) + ": order of " + norm.name,
-                          measured.order(norm.error, sizes.size()), norm.order - tolerance,
-                          norm.order + tolerance);
+                          measured.order(norm.error, sizes.size()), norm.order - order_tolerance,
+                          norm.order + order_tolerance);
           if (inertia == 0 && std::holds_alternative<rheology::ChauchatMedale>(law))
             add_curves(figure, first_panel, family.name, measured);
         }
@@ -161,7 +161,8 @@ void manufactured_orders(Chapter& chapter, const Context& context) {
     table.rows.push_back(row);
     add_curves(figure, first_panel, "distorted, mapped pressure", lost);
     chapter.check(label_of(mapped, families[2]) + ", mapped pressure: order of p falls to 1",
-                  lost.order(&FlowErrors::pressure, sizes.size()), 1 - tolerance, 1 + tolerance);
+                  lost.order(&FlowErrors::pressure, sizes.size()), 1 - order_tolerance,
+                  1 + order_tolerance);
     add_guides(figure, first_panel);
   }
   chapter.figure(std::move(figure));

@@ -99,6 +99,7 @@ class CrossSection {
   Eigen::VectorXd product(std::span<const Tangent> tangents,
                           const solve::CompensatedVector& x) const;
   void clear_fixed(Eigen::VectorXd& values) const;
+  double factor_entries() const { return skeleton_.factor_entries(); }
 
  private:
   void add_wall_points(const Face& side, int points_per_direction);

@@ -122,6 +122,10 @@ bool Skeleton<2>::factor() {
   return system_->cholesky.info() == Eigen::Success;
 }
 
+double Skeleton<2>::factor_entries() const {
+  return system_->cholesky.cholmod().lnz;
+}
+
 bool Skeleton<2>::solve(const Eigen::VectorXd& force, solve::CompensatedVector& velocity) const {
   Eigen::VectorXd b(system_->matrix.rows());
   for (Eigen::Index i = 0; i < b.size(); ++i)

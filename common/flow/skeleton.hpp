@@ -31,6 +31,7 @@ class Skeleton<1> {
   /// Solves for the vertices from the forces on them; velocities of fixed vertices are zero.
   bool solve(const Eigen::VectorXd& force, solve::CompensatedVector& velocity) const;
   bool factor() { return true; }  // the tridiagonal solver does it all at once
+  double factor_entries() const { return 3 * static_cast<double>(rows_.size()); }
 
  private:
   struct Row {
@@ -59,6 +60,8 @@ class Skeleton<2> {
   void add(std::size_t element, const Eigen::Matrix<double, 8, 8>& matrix);
   /// False if the matrix is not positive definite.
   bool factor();
+  /// Entries of the factor, as analysed.
+  double factor_entries() const;
   /// Solves for the free edge nodes from the forces on them; fixed nodes get zero.
   bool solve(const Eigen::VectorXd& force, solve::CompensatedVector& velocity) const;
 
