@@ -40,7 +40,7 @@ std::vector<int> meshes_for(const Way& way, bool full) {
     return is_quick || way.label == "arclength" ? std::vector{16, 24, 32, 40, 80}
                                                 : std::vector{16, 24, 32, 40};
   if (!way.in_quick_run) return {};
-  return is_quick ? std::vector{16, 24, 32} : std::vector{16};
+  return is_quick ? std::vector{16, 24} : std::vector{16};
 }
 
 Followed follow(const rheology::Regularisation& law, int around, const Way& way, int max_points) {
@@ -136,7 +136,9 @@ void atlas(Chapter& chapter, const Context& context) {
         const Followed f = follow(law, around, way, context.full ? 250 : 30);
         add_row(*map.map, way.label + ", " + std::to_string(around), f);
         table.rows.push_back(row_of(name, around, way, f));
-        if (way.continuation == twod::Continuation::primal_dual && around < 80)
+        // Eq. (12) has folds on 16 elements, and nobody knows yet about 80.
+        const bool is_sure = !rheology::has_yield_stress(law) || (around >= 24 && around <= 40);
+        if (way.continuation == twod::Continuation::primal_dual && is_sure)
           chapter.check(name + ", primal-dual, " + std::to_string(around) +
                             " around, F = 0.054: smallest λr reached",
                         f.smallest_lambda_r(), 0.999e-6, 1.001e-6);
@@ -161,8 +163,9 @@ void atlas(Chapter& chapter, const Context& context) {
       "Eq. (12) on 16 elements ends in ever smaller steps by arclength; with a stress carried "
       "beside "
       "the velocity (primal-dual) Newton's method converges from decade to decade of λr, far from "
-      "the path between, and comes to the end on every one of these meshes in fewer "
-      "factorisations. A floor under the pressure in (16) changes little. Without (16) no path "
+      "the path between, and comes to the end in half as many factorisations, for eq. (12) from 24 "
+      "elements on, where arclength passes fold after fold; on 16 it stops too. A floor under the "
+      "pressure in (16) changes little. Without (16) no path "
       "starts: Newton fails at λr = 0.1, from the solution with it.");
   chapter.figure(std::move(maps));
   chapter.figure(std::move(lines));
