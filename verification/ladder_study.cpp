@@ -101,9 +101,10 @@ void recommend(Chapter& chapter, const std::vector<Rung>& rungs) {
 
 // CPU time and memory of the last case of each rung that both solve from the same start.
 io::Figure costs(const std::vector<Rung>& rungs) {
-  io::Panel time{"CPU time", "unknowns", "CPU seconds", true, true, {}, std::nullopt, "top left"};
+  io::Panel time{"CPU time", "unknowns", "CPU seconds", true,
+                 true,       {},         std::nullopt,  "bottom right"};
   io::Panel memory{"Memory", "unknowns", "bytes of factors", true,
-                   true,     {},         std::nullopt,       "top left"};
+                   true,     {},         std::nullopt,       "bottom right"};
   for (const Rung& rung : rungs) {
     const RungCase& largest = rung.largest();
     const auto add = [&](io::Panel& panel, double ModelCost::*cost) {
