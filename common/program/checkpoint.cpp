@@ -23,7 +23,9 @@ std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::nullopt;
   const auto broken = [&] {
-    return io::UserError("'" + file.string() + "' is not a checkpoint; remove it to start anew");
+    std::ostringstream message;
+    message << file << " is not a checkpoint; remove it to start anew";
+    return io::UserError(message.str());
   };
   std::string line;
   std::getline(in, line);

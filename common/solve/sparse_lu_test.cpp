@@ -77,6 +77,26 @@ BOOST_AUTO_TEST_CASE(a_factorisation_costs_more_solves_the_more_the_factors_fill
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_small_diagonal_does_not_fill_the_factors) {
+  // Two unknowns a node: rotated against each other in the second matrix, nearly by a right angle.
+  const auto entries = [](double diagonal, double coupling) {
+    GridMatrix grid = grid_matrix(12, 2, 1);
+    for (int column = 0; column < grid.matrix.outerSize(); ++column)
+      for (SparseLu::Matrix::InnerIterator entry(grid.matrix, column); entry; ++entry)
+        if (entry.row() == column)
+          entry.valueRef() = diagonal;
+        else if (entry.row() / 2 == column / 2)
+          entry.valueRef() = entry.row() < column ? coupling : -coupling;
+        else
+          entry.valueRef() *= 1e-5;
+    SparseLu lu(grid.matrix, grid.node_of_row);
+    BOOST_REQUIRE(lu.factor(grid.matrix));
+    BOOST_TEST(distance_to_dense_solution(lu, grid.matrix) < 1e-9);
+    return lu.factor_entries();
+  };
+  BOOST_TEST(entries(1e-4, 1) == entries(1, 1e-4));
+}
+
 BOOST_AUTO_TEST_CASE(one_analysis_serves_every_matrix_of_its_pattern) {
   const GridMatrix first = grid_matrix(5, 2, 1), second = grid_matrix(5, 2, 2);
   SparseLu lu(first.matrix, first.node_of_row);
