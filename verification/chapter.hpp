@@ -47,6 +47,7 @@ struct Context {
 struct Study {
   std::string name, question;
   std::function<Chapter(const Context&)> run;
+  bool is_timing = false;  ///< CPU time is what it is about: nothing may run beside it
 };
 
 /// The registry, in the order of the report.

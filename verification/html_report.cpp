@@ -81,25 +81,23 @@ std::string html_of(const io::Table& table) {
   return html + (folded ? "</table></details>\n" : "</table>\n");
 }
 
-std::string html_of(const io::Figure& figure, const Written& written) {
-  const std::string svg = file_contents(written.folder / (figure.name + ".svg"));
+std::string html_of(const io::Figure& figure, const std::string& chapter,
+                    const std::filesystem::path& folder) {
+  const std::string svg = file_contents(folder / (figure.name + ".svg"));
   std::string html = "<figure>";
   const auto columns = std::min(static_cast<std::size_t>(figure.columns), figure.panels.size());
   html += svg.empty()
               ? "<p class=fail>Skipped: gnuplot drew no figure.</p>"
               : "<img width=" + std::to_string(std::min<std::size_t>(560 * columns, 1150)) +
                     " alt=\"" + escaped(figure.caption) + "\" src=\"" + data_uri(svg) + "\">";
-  return html + "<figcaption>" + escaped(figure.caption) + "<br><code>cd " +
-         escaped(written.chapter.name) + " &amp;&amp; gnuplot " + figure.name +
-         ".gp</code></figcaption></figure>\n";
+  return html + "<figcaption>" + escaped(figure.caption) + "<br><code>cd " + escaped(chapter) +
+         " &amp;&amp; gnuplot " + figure.name + ".gp</code></figcaption></figure>\n";
 }
 
-std::string html_of(const std::vector<Check>& checks) {
-  std::size_t failed = 0;
-  for (const Check& check : checks) failed += check.passed() ? 0 : 1;
-  std::string html = std::string("<details") + (failed > 0 ? " open" : "") + "><summary>" +
-                     std::to_string(checks.size() - failed) + " of " +
-                     std::to_string(checks.size()) + " checks hold</summary><table>" +
+std::string html_of(const std::vector<Check>& checks, const Written& written) {
+  std::string html = std::string("<details") + (written.passed() ? "" : " open") + "><summary>" +
+                     std::to_string(written.held) + " of " + std::to_string(written.checks) +
+                     " checks hold</summary><table>" +
                      "<tr><th>check<th>value<th>bounds<th></tr>\n";
   for (const Check& check : checks)
     html += "<tr><td>" + escaped(check.what) + "<td>" + io::rounded(check.value, 5) + "<td>[" +
@@ -120,33 +118,46 @@ std::string machine() {
   const std::time_t now = std::time(nullptr);
   std::strftime(date, sizeof date, "%Y-%m-%d %H:%M UTC", std::gmtime(&now));
   return model + ", " + std::to_string(std::thread::hardware_concurrency()) +
-         " threads seen, one used; compiler " + __VERSION__ + "; " + date;
+         " threads seen, one used by a study; compiler " + __VERSION__ + "; " + date;
 }
 
 }  // namespace
+
+Written write_chapter(const Chapter& chapter, const std::filesystem::path& folder) {
+  Written written{chapter.name, chapter.title, "", chapter.checks.size(), 0, "", 0};
+  for (const Check& check : chapter.checks) {
+    if (check.passed())
+      ++written.held;
+    else
+      written.failures += "  FAILS: " + check.what + " = " + io::rounded(check.value, 5) +
+                          ", not in [" + io::rounded(check.lower, 5) + ", " +
+                          io::rounded(check.upper, 5) + "]\n";
+  }
+  written.html = "<h2 id=\"" + chapter.name + "\">" + escaped(chapter.title) + "</h2>\n" +
+                 html_of(chapter.checks, written);
+  for (const auto& block : chapter.blocks) {
+    if (const auto* text = std::get_if<std::string>(&block))
+      written.html += "<p>" + escaped(*text) + "</p>\n";
+    else if (const auto* table = std::get_if<io::Table>(&block))
+      written.html += html_of(*table);
+    else
+      written.html += html_of(std::get<io::Figure>(block), chapter.name, folder);
+  }
+  return written;
+}
 
 std::string html_report(const std::vector<Written>& chapters, const std::string& command) {
   bool passed = true;
   std::string summary = "<table><tr><th>study<th>question<th>checks<th>CPU s<th>regenerate</tr>\n";
   std::string body;
-  for (const Written& written : chapters) {
-    const Chapter& chapter = written.chapter;
+  for (const Written& chapter : chapters) {
     passed = passed && chapter.passed();
-    summary +=
-        "<tr><td><a href=\"#" + chapter.name + "\">" + chapter.name + "</a><td>" +
-        escaped(chapter.title) + "<td class=" + (chapter.passed() ? "pass>all " : "fail>not all ") +
-        std::to_string(chapter.checks.size()) + " hold<td>" + io::rounded(written.seconds, 2) +
-        "<td><code>./run verify " + chapter.name + "</code></tr>\n";
-    body += "<h2 id=\"" + chapter.name + "\">" + escaped(chapter.title) + "</h2>\n" +
-            html_of(chapter.checks);
-    for (const auto& block : chapter.blocks) {
-      if (const auto* text = std::get_if<std::string>(&block))
-        body += "<p>" + escaped(*text) + "</p>\n";
-      else if (const auto* table = std::get_if<io::Table>(&block))
-        body += html_of(*table);
-      else
-        body += html_of(std::get<io::Figure>(block), written);
-    }
+    summary += "<tr><td><a href=\"#" + chapter.name + "\">" + chapter.name + "</a><td>" +
+               escaped(chapter.title) +
+               "<td class=" + (chapter.passed() ? "pass>all " : "fail>not all ") +
+               std::to_string(chapter.checks) + " hold<td>" + io::rounded(chapter.seconds, 2) +
+               "<td><code>./run verify " + chapter.name + "</code></tr>\n";
+    body += chapter.html;
   }
   return "<!doctype html><html lang=en><head><meta charset=utf-8><title>Talus: verification</title>"
          "<meta name=viewport content=\"width=device-width\"><style>" +

@@ -8,6 +8,7 @@
 #include "verification/fit.hpp"
 #include "verification/html_report.hpp"
 #include "verification/methods.hpp"
+#include "verification/runner.hpp"
 
 using namespace talus;
 using verification::Chapter;
@@ -94,7 +95,8 @@ BOOST_AUTO_TEST_CASE(the_report_shows_failures_and_escapes_text) {
   chapter.text("x & y");
   chapter.check("good", 1, 0, 2);
   const auto html = [&] {
-    return verification::html_report({{chapter, 0, "no such folder"}}, "./run verify");
+    return verification::html_report({verification::write_chapter(chapter, "no such folder")},
+                                     "./run verify");
   };
   BOOST_TEST(html().find("Every check holds.") != std::string::npos);
   BOOST_TEST(html().find("Is a &lt; b?") != std::string::npos);
@@ -104,9 +106,49 @@ BOOST_AUTO_TEST_CASE(the_report_shows_failures_and_escapes_text) {
   BOOST_TEST(html().find("fail>FAILS") != std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(studies_run_side_by_side_and_are_reported_in_their_order) {
+  std::vector<verification::Study> studies;
+  for (const std::string name : {"first", "second", "third"})
+    studies.push_back({name, "Why " + name + "?", [name](const verification::Context& context) {
+                         context.progress(0.5);
+                         Chapter chapter{name, "Why " + name + "?", {}, {}};
+                         chapter.check("not a number", std::nan(""), 0, 1);
+                         chapter.check("good", 1, 0, 2);
+                         return chapter;
+                       }});
+  studies.front().is_timing = true;
+  const io::ResultFolder folder(std::filesystem::temp_directory_path() / "talus_studies");
+  double last = 0;
+  const auto written = verification::run_studies(
+      studies, false, folder, [&](const std::string&, double fraction) { last = fraction; });
+  BOOST_REQUIRE(written.size() == 3U);
+  for (std::size_t i = 0; i < studies.size(); ++i) {
+    BOOST_TEST(written[i].name == studies[i].name);
+    BOOST_TEST(written[i].held == 1U);
+    BOOST_TEST(written[i].checks == 2U);
+    BOOST_TEST(written[i].failures.find("not a number") != std::string::npos);
+  }
+  BOOST_TEST(last > 0);
+  std::filesystem::remove_all(folder.path());
+}
+
+BOOST_AUTO_TEST_CASE(a_study_that_dies_is_an_error) {
+  const verification::Study dying{"dying", "",
+                                  [](const verification::Context&) -> Chapter { std::abort(); }};
+  const verification::Study throwing{"throwing", "", [](const verification::Context&) -> Chapter {
+                                       throw std::runtime_error("no");
+                                     }};
+  const io::ResultFolder folder(std::filesystem::temp_directory_path() / "talus_dying_studies");
+  for (const auto& study : {dying, throwing})
+    BOOST_CHECK_THROW(
+        verification::run_studies({study}, false, folder, [](const std::string&, double) {}),
+        std::runtime_error);
+  std::filesystem::remove_all(folder.path());
+}
+
 BOOST_AUTO_TEST_CASE(a_figure_without_its_picture_is_reported_as_skipped) {
   Chapter chapter{"name", "title", {}, {}};
   chapter.figure({"missing", "caption", {}, 1});
-  const std::string html = verification::html_report({{chapter, 0, "no such folder"}}, "command");
+  const std::string html = verification::write_chapter(chapter, "no such folder").html;
   BOOST_TEST(html.find("Skipped: gnuplot drew no figure.") != std::string::npos);
 }

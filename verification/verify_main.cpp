@@ -7,12 +7,9 @@
 //   verify --full
 #include <iostream>
 
-#include <nlohmann/json.hpp>
-
 #include "common/io/options.hpp"
 #include "common/io/progress.hpp"
-#include "common/solve/stopwatch.hpp"
-#include "verification/html_report.hpp"
+#include "verification/runner.hpp"
 
 using namespace talus;
 
@@ -31,34 +28,6 @@ std::vector<verification::Study> chosen_studies(const std::vector<std::string>& 
                      [&](const auto& study) { return study.name == name; }))
       throw io::UserError("STUDY: '" + name + "' is none of: " + known);
   return chosen;
-}
-
-// Figures, tables and checks of a chapter, as files.
-void write_files(const io::ResultFolder& folder, const verification::Chapter& chapter) {
-  io::Table checks{"", {"check", "value", "lower", "upper", "holds"}, {}};
-  for (const auto& check : chapter.checks)
-    checks.rows.push_back({check.what, io::exact(check.value), io::exact(check.lower),
-                           io::exact(check.upper), check.passed() ? "yes" : "no"});
-  folder.write("checks.csv", io::to_csv(checks));
-  int tables = 0;
-  for (const auto& block : chapter.blocks) {
-    if (const auto* table = std::get_if<io::Table>(&block))
-      folder.write("table" + std::to_string(++tables) + ".csv", io::to_csv(*table));
-    else if (const auto* figure = std::get_if<io::Figure>(&block))
-      io::write_figure(folder, *figure, "svg");
-  }
-}
-
-void print_chapter(const verification::Written& written) {
-  const verification::Chapter& chapter = written.chapter;
-  std::size_t held = 0;
-  for (const auto& check : chapter.checks) held += check.passed() ? 1 : 0;
-  std::cout << chapter.name << ": " << held << " of " << chapter.checks.size() << " checks hold ("
-            << io::rounded(written.seconds, 2) << " CPU s)\n";
-  for (const auto& check : chapter.checks)
-    if (!check.passed())
-      std::cout << "  FAILS: " << check.what << " = " << io::rounded(check.value, 5) << ", not in ["
-                << io::rounded(check.lower, 5) << ", " << io::rounded(check.upper, 5) << "]\n";
 }
 
 }  // namespace
@@ -85,18 +54,9 @@ int main(int argc, char** argv) {
     std::vector<verification::Written> chapters;
     {
       io::Progress progress;
-      for (std::size_t i = 0; i < chosen.size(); ++i) {
-        verification::Context context{full, [&](double fraction) {
-                                        progress.show(chosen[i].name,
-                                                      (static_cast<double>(i) + fraction) /
-                                                          static_cast<double>(chosen.size()));
-                                      }};
-        const solve::Stopwatch watch;
-        verification::Written written{chosen[i].run(context), 0, folder.path() / chosen[i].name};
-        written.seconds = watch.seconds();
-        write_files(io::ResultFolder(written.folder), written.chapter);
-        chapters.push_back(std::move(written));
-      }
+      chapters = verification::run_studies(
+          chosen, full, folder,
+          [&](const std::string& running, double done) { progress.show(running, done); });
     }
     std::string command = "./run verify";
     for (const std::string& name : names) command += " " + name;
@@ -104,9 +64,11 @@ int main(int argc, char** argv) {
     folder.write("index.html", verification::html_report(chapters, command));
 
     bool passed = true;
-    for (const auto& written : chapters) {
-      print_chapter(written);
-      passed = passed && written.chapter.passed();
+    for (const auto& chapter : chapters) {
+      std::cout << chapter.name << ": " << chapter.held << " of " << chapter.checks
+                << " checks hold (" << io::rounded(chapter.seconds, 2) << " CPU s)\n"
+                << chapter.failures;
+      passed = passed && chapter.passed();
     }
     if (!io::gnuplot_is_available()) std::cout << "Figures skipped: gnuplot is missing.\n";
     std::cout << "report: " << (folder.path() / "index.html").string() << '\n';
