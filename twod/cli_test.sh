@@ -86,7 +86,7 @@ check expect_text stderr step_too_small "F = 0.0501"
 check expect_text run/results/cylinder/summary.json '"status": "step_too_small"'
 
 # 4. A cylinder that was interrupted goes on from its checkpoint to the same flow.
-flow=("$cylinder" --around 16 --sweep 0.03:0.045:2)
+flow=("$cylinder" --around 16 --sweep 0.03:0.045:2 --continuation arclength)
 check succeeds cylinder "${flow[@]}"
 drag=$(result drag) velocity=$(result mean_velocity) factorisations=$(grep factorisations \
   "$work/run/results/cylinder/summary.json")
@@ -118,7 +118,7 @@ check agrees_to_1e_8 "$(result drag)" "$drag"
 # Or just before the last loading was written down: nothing is left to follow.
 LC_ALL=C sed -i '1s/"stage":"reached","sweep":\[[^]]*\]/"stage":"loading","sweep":[]/
 1s/\("loadings":\)\[[^]]*\]/\1[0.045]/' "$work/run/results/cylinder/checkpoint.bin"
-run_again "$cylinder" --around 16 --loading 0.045 --resume
+run_again "$cylinder" --around 16 --loading 0.045 --continuation arclength --resume
 check expect_code 0
 check few_factorisations
 check agrees_to_1e_8 "$(result drag)" "$drag"
@@ -139,6 +139,8 @@ run "$cylinder" --around 16 --loading 0.03 --lambda-r 1e-2 --pressure-floor 0.01
 check expect_code 0
 check expect_empty stderr
 check has_row 0.03
+run "$cylinder" --around 16 --loading 0.03 --lambda-r 0.2  # as smooth as where paths start
+check expect_code 0
 run "$cylinder" --around 16 --loading 0.03 --lambda-r 1e-3 --no-pressure-regularisation
 check expect_code 0
 

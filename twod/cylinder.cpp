@@ -10,7 +10,8 @@ namespace {
 
 using State = CylinderFlow::State;
 
-constexpr double first_lambda_r = 0.1;  // smooth enough for Newton from rest
+// Smooth enough for Newton from rest; for its primal-dual form, nearly always.
+constexpr double smooth_lambda_r = 0.1, primal_dual_lambda_r = 0.01;
 
 flow::BoundaryConditions<2> boundary_conditions(const Cylinder& scene) {
   flow::BoundaryConditions<2> conditions = {
@@ -67,8 +68,15 @@ double inflow(const CylinderFlow& cylinder, const State& state) {
 
 template <class Problem>
 CylinderPath follow(CylinderFlow& cylinder, Problem problem, solve::PathStart<State> start,
-                    Continuation continuation, const solve::PathOptions& options,
+                    Continuation continuation, solve::PathOptions options,
                     const CylinderObserver& observe) {
+  if (start.parameter == options.target) {  // of this path the start is all
+    options.target.reset();
+    options.max_points = 1;
+    auto path = follow(cylinder, problem, std::move(start), continuation, options, observe);
+    if (path.end == solve::PathEnd::out_of_points) path.end = solve::PathEnd::target_reached;
+    return path;
+  }
   const solve::PathObserver<State> observer = [&](const State& state, solve::PathPoint& point) {
     return !observe || observe(state, measure(cylinder, state), point);
   };
@@ -100,16 +108,16 @@ solve::NewtonSummary newton_at(CylinderFlow& cylinder, double loading, double la
                         .line_search = solve::LineSearch::residual_norm});
 }
 
-// On the way from rest to the smooth flow pressures are negative: eq. (16) is needed there even if
-// the scene does without.
-solve::NewtonSummary smooth_start(CylinderFlow& cylinder, double loading, State& state,
-                                  double tolerance) {
+// Newton from rest at `lambda_r`, or at the scene's if that is larger. On the way pressures are
+// negative: eq. (16) is needed there even if the scene does without.
+solve::NewtonSummary smooth_start(CylinderFlow& cylinder, double loading, double lambda_r,
+                                  State& state, double tolerance) {
   const rheology::Rheology own = rheology_of(cylinder.scene());
   rheology::Rheology regularised = own;
   regularised.regularises_pressure = true;
   cylinder.flow().set_rheology(regularised);
   state = cylinder.space().start();
-  const double lambda_r = std::max(first_lambda_r, own.lambda_r);
+  lambda_r = std::max(lambda_r, own.lambda_r);
   auto newton = newton_at(cylinder, loading, lambda_r, state, tolerance);
   cylinder.flow().set_rheology(own);
   if (!own.regularises_pressure && solve::is_success(newton.end))
@@ -218,11 +226,16 @@ solve::PathOptions cylinder_path_options() {
 
 CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading, Continuation continuation,
                              const solve::PathOptions& options, const CylinderObserver& observe) {
-  const double lambda_r = std::max(first_lambda_r, cylinder.scene().lambda_r);
   const bool is_primal_dual = continuation == Continuation::primal_dual;
   if (is_primal_dual) cylinder.flow().carry_stress();
+  double lambda_r = is_primal_dual ? primal_dual_lambda_r : smooth_lambda_r;
   State state;
-  smooth_start(cylinder, loading, state, options.tolerance);
+  const auto newton = smooth_start(cylinder, loading, lambda_r, state, options.tolerance);
+  if (is_primal_dual && !solve::is_success(newton.end)) {
+    lambda_r = smooth_lambda_r;
+    smooth_start(cylinder, loading, lambda_r, state, options.tolerance);
+  }
+  lambda_r = std::max(lambda_r, cylinder.scene().lambda_r);
   return follow_lambda_r(cylinder, loading,
                          {.state = std::move(state),
                           .parameter = std::log10(lambda_r),
@@ -234,10 +247,10 @@ CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading, Continuatio
 solve::NewtonSummary solve_creep(CylinderFlow& cylinder, double loading, State& state,
                                  double tolerance) {
   const double lambda_r = cylinder.scene().lambda_r;
-  const auto smooth = smooth_start(cylinder, loading, state, tolerance);
+  const auto smooth = smooth_start(cylinder, loading, smooth_lambda_r, state, tolerance);
   if (!solve::is_success(smooth.end)) return smooth;
   for (Eigen::Index i = 0; i < cylinder.space().velocity_count(); ++i)
-    state.set(i, std::min(1.0, lambda_r / first_lambda_r) * state.value()[i]);
+    state.set(i, std::min(1.0, lambda_r / smooth_lambda_r) * state.value()[i]);
   return newton_at(cylinder, loading, lambda_r, state, tolerance);
 }
 

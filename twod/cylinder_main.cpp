@@ -22,7 +22,7 @@ namespace {
 struct Options {
   twod::SweepOptions run;
   std::string sweep, regularisation = "chauchat-medale", penalty = "iterated", friction;
-  std::string outflow = "fully-developed", continuation = "arclength", route = "loading";
+  std::string outflow = "fully-developed", continuation = "primal-dual", route;
   std::string output = "results/cylinder";
   double lambda_p = 0;  // 0: the penalty's own default
   bool no_inertia = false, plot = false;
@@ -66,6 +66,8 @@ void read(Options& o) {
   for (const auto each :
        {Continuation::arclength, Continuation::natural, Continuation::primal_dual})
     if (o.continuation == twod::name_of(each)) o.run.continuation = each;
+  const bool is_direct = o.run.continuation == Continuation::primal_dual;
+  if (o.route.empty()) o.route = is_direct ? "lambda-r" : "loading";
   o.run.route = o.route == "loading" ? twod::Route::loading : twod::Route::lambda_r;
 }
 
@@ -177,10 +179,13 @@ int main(int argc, char** argv) {
       ->default_str("");
   app.add_flag("--no-inertia", o.no_inertia, "Leave out the advective term");
   io::add_choice(app, "--continuation", o.continuation, "How paths are followed",
-                 {"arclength", "natural", "primal-dual"});
-  io::add_choice(app, "--route", o.route,
-                 "To each loading: along the loading from creep, or down in λr at the loading",
-                 {"loading", "lambda-r"});
+                 {"primal-dual", "arclength", "natural"});
+  io::add_choice(
+      app, "--route", o.route,
+      "To each loading: down in λr at the loading (default if primal-dual), or along the "
+      "loading from creep (default otherwise)",
+      {"loading", "lambda-r"})
+      ->default_str("");
   io::add_integer(app, "--max-points", o.run.max_points, "Points of one path at most", 2, 100000);
   io::add_reals(app, "--confining-pressure", o.run.confining_pressures,
                 "p_ext in φρgD, for the Froude numbers", 0.01, 1000);

@@ -19,8 +19,8 @@ struct SweepOptions {
   Cylinder scene;
   std::vector<double> loadings = {0.054};
   std::vector<double> confining_pressures = {1, 2, 3, 5, 10};  ///< in φρgD, for the tables
-  Continuation continuation = Continuation::arclength;
-  Route route = Route::loading;
+  Continuation continuation = Continuation::primal_dual;
+  Route route = Route::lambda_r;
   int max_points = 400;  ///< of one path
   bool resume = false;   ///< go on from the checkpoint in the folder, if there is one
 };

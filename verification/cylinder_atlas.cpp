@@ -70,8 +70,8 @@ void add_row(io::Map& map, const std::string& name, const Followed& f) {
   std::vector<int> folds(bins, 0);
   for (std::size_t i = 0; i < f.points.size(); ++i) {
     const std::size_t bin = bin_of(f.measures[i].lambda_r);
-    // Half decades a long step goes over cost nothing.
-    for (std::size_t over = i > 0 ? bin_of(f.measures[i - 1].lambda_r) : bin; over < bin; ++over)
+    // Half decades above the start, or that a long step goes over, cost nothing.
+    for (std::size_t over = i > 0 ? bin_of(f.measures[i - 1].lambda_r) : 0; over < bin; ++over)
       if (std::isnan(work[over])) work[over] = 0;
     work[bin] = (std::isnan(work[bin]) ? 0 : work[bin]) + f.points[i].cost.factorisations;
     folds[bin] += f.points[i].is_fold_passed ? 1 : 0;
