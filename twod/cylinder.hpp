@@ -103,7 +103,8 @@ using CylinderPath = solve::Path<CylinderFlow::State>;
 solve::PathOptions cylinder_path_options();
 
 /// Solves a loading from nothing: Newton from rest at λr = 0.1 (in primal-dual form at 0.01 if it
-/// arrives there), then a path in log10 λr down to the scene's. The flow is left at that loading and the last λr.
+/// arrives there), then a path in log10 λr down to the scene's. The flow is left at that loading
+/// and the last λr.
 CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading,
                              Continuation continuation = Continuation::primal_dual,
                              const solve::PathOptions& options = cylinder_path_options(),

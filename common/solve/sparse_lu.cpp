@@ -60,8 +60,8 @@ struct SparseLu::Factors {
   Factors() {
     umfpack_di_defaults(control.data());
     control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
-    // A pivot off the diagonal breaks the order and fills the factors: with the default of 1e-3 they
-    // cost 2.5 times the operations on the heap. What small pivots lose, refinement gets back.
+    // A pivot off the diagonal breaks the order and fills the factors: with the default of 1e-3
+    // they cost 2.5 times the operations on the heap. What small pivots lose, refinement gets back.
     control[UMFPACK_SYM_PIVOT_TOLERANCE] = 1e-6;
     control[UMFPACK_IRSTEP] = 0;  // refinement is done with the residual of the whole problem
   }
