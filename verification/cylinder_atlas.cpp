@@ -164,12 +164,11 @@ void atlas(Chapter& chapter, const Context& context) {
   chapter.text(
       "Paths in λr past yield, F = 0.054. The control law is followed to the end in every way. "
       "Eq. (12) on 16 elements ends in ever smaller steps by arclength; with a stress carried "
-      "beside "
-      "the velocity (primal-dual) Newton's method converges from decade to decade of λr, far from "
-      "the path between, and comes to the end in half as many factorisations, for eq. (12) from 24 "
-      "elements on, where arclength passes fold after fold; on 16 it stops too. A floor under the "
-      "pressure in (16) changes little. Without (16) no path "
-      "starts: Newton fails at λr = 0.1, from the solution with it.");
+      "beside the velocity (primal-dual) Newton's method converges from decade to decade of λr, "
+      "far from the path between, and comes to the end in a fraction of the factorisations, for "
+      "eq. (12) from 24 elements on, where arclength passes fold after fold; on 16 it stops too. A "
+      "floor under the pressure in (16) changes little. Without (16) no path starts: Newton fails "
+      "at λr = 0.1, from the solution with it.");
   chapter.figure(std::move(maps));
   chapter.figure(std::move(lines));
   chapter.table(std::move(table));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -21,6 +22,7 @@ namespace talus::verification {
 namespace {
 
 constexpr const char* chapter_file = "chapter.json";
+constexpr int user_error = 2;  // exit status, as of the programs
 
 // Figures, tables and checks of a chapter, as files.
 void write_files(const io::ResultFolder& folder, const Chapter& chapter) {
@@ -108,9 +110,20 @@ std::vector<Written> run_studies(const std::vector<Study>& studies, bool full,
           io::ResultFolder(folder_of(i)));
     } catch (const std::exception& error) {
       std::cerr << "study " << studies[i].name << ": " << error.what() << '\n';
-      status = 1;
+      status = dynamic_cast<const io::UserError*>(&error) ? user_error : 1;
     }
     _exit(status);
+  };
+
+  // None is left to write into the folder after we have given up.
+  const auto give_up = [&](std::size_t i, int status) {
+    for (const auto& [process, _] : running) {
+      kill(process, SIGTERM);
+      waitpid(process, nullptr, 0);
+    }
+    const std::string message = "study " + studies[i].name + " did not end well";
+    if (WIFEXITED(status) && WEXITSTATUS(status) == user_error) throw io::UserError(message);
+    throw std::runtime_error(message);
   };
 
   const auto wait_for_one = [&] {
@@ -121,7 +134,7 @@ std::vector<Written> run_studies(const std::vector<Study>& studies, bool full,
         const std::size_t i = running.at(process);
         running.erase(process);
         fractions[i] = 1;
-        if (status != 0) throw std::runtime_error("study " + studies[i].name + " did not end well");
+        if (status != 0) give_up(i, status);
         return;
       }
       std::string names;

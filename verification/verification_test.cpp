@@ -2,8 +2,11 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <thread>
 
 #include <boost/test/unit_test.hpp>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "verification/fit.hpp"
 #include "verification/html_report.hpp"
@@ -139,10 +142,21 @@ BOOST_AUTO_TEST_CASE(a_study_that_dies_is_an_error) {
                                        throw std::runtime_error("no");
                                      }};
   const io::ResultFolder folder(std::filesystem::temp_directory_path() / "talus_dying_studies");
+  const verification::Study endless{"endless", "", [](const verification::Context&) -> Chapter {
+                                      for (;;) pause();
+                                    }};
+  const verification::Study unwritable{
+      "unwritable", "",
+      [](const verification::Context&) -> Chapter { throw io::UserError("full disk"); }};
+  const auto silent = [](const std::string&, double) {};
   for (const auto& study : {dying, throwing})
-    BOOST_CHECK_THROW(
-        verification::run_studies({study}, false, folder, [](const std::string&, double) {}),
-        std::runtime_error);
+    BOOST_CHECK_THROW(verification::run_studies({study}, false, folder, silent),
+                      std::runtime_error);
+  BOOST_CHECK_THROW(verification::run_studies({unwritable}, false, folder, silent), io::UserError);
+  if (std::thread::hardware_concurrency() > 1)
+    BOOST_CHECK_THROW(verification::run_studies({endless, dying}, false, folder, silent),
+                      std::runtime_error);
+  BOOST_TEST(waitpid(-1, nullptr, WNOHANG) == -1);  // nobody is left
   std::filesystem::remove_all(folder.path());
 }
 
