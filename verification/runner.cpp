@@ -104,6 +104,7 @@ std::vector<Written> run_studies(const std::vector<Study>& studies, bool full,
       running[process] = i;
       return;
     }
+    std::signal(SIGTERM, SIG_DFL);  // whatever handler the parent has
     int status = 0;
     try {
       run(studies[i], {full, [&](double fraction) { fractions[i] = fraction; }},
