@@ -82,12 +82,22 @@ bool DenseFlow<Dim>::iterate(const Eigen::VectorXd& right_hand_side, State& x) {
   return x.value().allFinite();
 }
 
+// Over the element's viscosity, to which inertia adds |u|h: where the pressure is negative it is
+// all there is.
 template <int Dim>
 Pack DenseFlow<Dim>::tangent_penalty(std::size_t batch) const {
   if (penalty_.kind == Penalty::plain) return penalty_.lambda_p;
-  Pack viscosity = 0;
-  for (const PointState<Dim>& at : states_[batch]) viscosity += at.viscosity;
-  return penalty_.lambda_p * Space::points_per_element / viscosity;
+  Pack viscosity = 0, speed = 0, volume = 0;
+  for (std::size_t q = 0; q < Space::points_per_element; ++q) {
+    const PointState<Dim>& at = states_[batch][q];
+    Pack square = 0;
+    for (const Pack& component : at.velocity) square += component * component;
+    viscosity += at.viscosity;
+    speed += std::experimental::sqrt(square);
+    volume += space_.batches()[batch].points[q].weight;
+  }
+  const Pack size = Dim == 2 ? std::experimental::sqrt(volume) : std::experimental::cbrt(volume);
+  return penalty_.lambda_p * Space::points_per_element / (viscosity + inertia_ * speed * size);
 }
 
 template <int Dim>
