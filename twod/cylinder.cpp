@@ -3,15 +3,11 @@
 #include <Eigen/Cholesky>
 
 #include "common/flow/reaction.hpp"
-#include "common/solve/natural_continuation.hpp"
 
 namespace talus::twod {
 namespace {
 
 using State = CylinderFlow::State;
-
-// Smooth enough for Newton from rest; for its primal-dual form, nearly always.
-constexpr double smooth_lambda_r = 0.1, primal_dual_lambda_r = 0.01;
 
 flow::BoundaryConditions<2> boundary_conditions(const Cylinder& scene) {
   flow::BoundaryConditions<2> conditions = {
@@ -66,78 +62,7 @@ double inflow(const CylinderFlow& cylinder, const State& state) {
   return flux;
 }
 
-template <class Problem>
-CylinderPath follow(CylinderFlow& cylinder, Problem problem, solve::PathStart<State> start,
-                    Continuation continuation, solve::PathOptions options,
-                    const CylinderObserver& observe) {
-  if (start.parameter == options.target) {  // of this path the start is all
-    options.target.reset();
-    options.max_points = 1;
-    auto path = follow(cylinder, problem, std::move(start), continuation, options, observe);
-    if (path.end == solve::PathEnd::out_of_points) path.end = solve::PathEnd::target_reached;
-    return path;
-  }
-  const solve::PathObserver<State> observer = [&](const State& state, solve::PathPoint& point) {
-    return !observe || observe(state, measure(cylinder, state), point);
-  };
-  if (continuation == Continuation::arclength)
-    return solve::follow_arclength(problem, std::move(start), options, observer);
-  if (continuation == Continuation::natural)
-    return solve::follow_natural(problem, std::move(start), solve::Predictor::secant, options,
-                                 observer);
-  // Steps so long that a tangent says nothing about their end, with time to converge.
-  solve::PathOptions far = options;
-  far.largest_step = 2;
-  far.few_corrections = 6;
-  far.many_corrections = 12;
-  far.max_corrections = 18;
-  cylinder.flow().carry_stress();
-  auto path =
-      solve::follow_natural(problem, std::move(start), solve::Predictor::constant, far, observer);
-  cylinder.flow().stop_carrying_stress();
-  return path;
-}
-
-solve::NewtonSummary newton_at(CylinderFlow& cylinder, double loading, double lambda_r,
-                               State& state, double tolerance) {
-  cylinder.flow().set_load_factor(loading);
-  cylinder.flow().set_lambda_r(lambda_r);
-  return solve::newton(cylinder.flow(), state,
-                       {.tolerance = tolerance,
-                        .max_iterations = 100,
-                        .line_search = solve::LineSearch::residual_norm});
-}
-
-// Newton from rest at `lambda_r`, or at the scene's if that is larger. On the way pressures are
-// negative: eq. (16) is needed there even if the scene does without.
-solve::NewtonSummary smooth_start(CylinderFlow& cylinder, double loading, double lambda_r,
-                                  State& state, double tolerance) {
-  const rheology::Rheology own = rheology_of(cylinder.scene());
-  rheology::Rheology regularised = own;
-  regularised.regularises_pressure = true;
-  cylinder.flow().set_rheology(regularised);
-  state = cylinder.space().start();
-  lambda_r = std::max(lambda_r, own.lambda_r);
-  auto newton = newton_at(cylinder, loading, lambda_r, state, tolerance);
-  cylinder.flow().set_rheology(own);
-  if (!own.regularises_pressure && solve::is_success(newton.end))
-    newton = newton_at(cylinder, loading, lambda_r, state, tolerance);
-  return newton;
-}
-
 }  // namespace
-
-std::string name_of(Continuation continuation) {
-  switch (continuation) {
-    case Continuation::arclength:
-      return "arclength";
-    case Continuation::natural:
-      return "natural";
-    case Continuation::primal_dual:
-      return "primal-dual";
-  }
-  return {};
-}
 
 CylinderFlow::CylinderFlow(const Cylinder& scene)
     : scene_(scene),
@@ -212,69 +137,6 @@ CylinderMeasures measure(CylinderFlow& cylinder, const State& state) {
   m.divergence = std::sqrt(divergence) / gradient_norm;
   m.projected_divergence = std::sqrt(projected) / gradient_norm;
   return m;
-}
-
-solve::PathOptions cylinder_path_options() {
-  solve::PathOptions options;
-  options.tolerance = 1e-9;
-  options.few_corrections = 4;
-  options.growth = 2;
-  options.largest_step = 1;
-  options.max_points = 400;
-  return options;
-}
-
-CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading, Continuation continuation,
-                             const solve::PathOptions& options, const CylinderObserver& observe) {
-  const bool is_primal_dual = continuation == Continuation::primal_dual;
-  if (is_primal_dual) cylinder.flow().carry_stress();
-  double lambda_r = is_primal_dual ? primal_dual_lambda_r : smooth_lambda_r;
-  State state;
-  const auto newton = smooth_start(cylinder, loading, lambda_r, state, options.tolerance);
-  if (is_primal_dual && !solve::is_success(newton.end)) {
-    lambda_r = smooth_lambda_r;
-    smooth_start(cylinder, loading, lambda_r, state, options.tolerance);
-  }
-  lambda_r = std::max(lambda_r, cylinder.scene().lambda_r);
-  return follow_lambda_r(cylinder, loading,
-                         {.state = std::move(state),
-                          .parameter = std::log10(lambda_r),
-                          .direction = -1,
-                          .step = is_primal_dual ? 1 : 0.2},
-                         continuation, options, observe);
-}
-
-solve::NewtonSummary solve_creep(CylinderFlow& cylinder, double loading, State& state,
-                                 double tolerance) {
-  const double lambda_r = cylinder.scene().lambda_r;
-  const auto smooth = smooth_start(cylinder, loading, smooth_lambda_r, state, tolerance);
-  if (!solve::is_success(smooth.end)) return smooth;
-  for (Eigen::Index i = 0; i < cylinder.space().velocity_count(); ++i)
-    state.set(i, std::min(1.0, lambda_r / smooth_lambda_r) * state.value()[i]);
-  return newton_at(cylinder, loading, lambda_r, state, tolerance);
-}
-
-CylinderPath follow_lambda_r(CylinderFlow& cylinder, double loading, solve::PathStart<State> start,
-                             Continuation continuation, solve::PathOptions options,
-                             const CylinderObserver& observe) {
-  cylinder.flow().set_load_factor(loading);
-  options.target = std::log10(cylinder.scene().lambda_r);
-  options.upper = 1;  // λr = 10: a path that climbs there has turned back for good
-  return follow(cylinder, flow::RegularisationPath<2>(cylinder.flow()), std::move(start),
-                continuation, options, observe);
-}
-
-CylinderPath follow_loading(CylinderFlow& cylinder, solve::PathStart<State> start, double target,
-                            Continuation continuation, solve::PathOptions options,
-                            const CylinderObserver& observe) {
-  cylinder.flow().set_lambda_r(cylinder.scene().lambda_r);
-  options.target = target;
-  options.lower = 0;
-  // The walls alone carry μ2/half_width; the cylinder adds a little.
-  options.upper = 1.2 * cylinder.scene().law.mu_2() / cylinder.scene().mesh.half_width;
-  options.parameter_scale = 1e-3;  // loadings between which the flow changes its face
-  return follow(cylinder, flow::LoadPath<2>(cylinder.flow()), std::move(start), continuation,
-                options, observe);
 }
 
 }  // namespace talus::twod

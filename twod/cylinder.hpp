@@ -99,12 +99,15 @@ using CylinderObserver =
 /// A path of solutions; `end` tells whether it reached its target.
 using CylinderPath = solve::Path<CylinderFlow::State>;
 
+/// A loading that the cylinder and the walls hold: a little above the onset in the empty channel.
+double held_loading(const Cylinder& scene);
+
 /// Options with which paths of this scene are followed.
 solve::PathOptions cylinder_path_options();
 
-/// Solves a loading from nothing: Newton from rest at λr = 0.1 (in primal-dual form at 0.01 if it
-/// arrives there), then a path in log10 λr down to the scene's. The flow is left at that loading
-/// and the last λr.
+/// Solves a loading from nothing: Newton from rest at λr = 0.1, then a path in log10 λr down to the
+/// scene's. In primal-dual form it sets out at 0.01 if it can, from rest or along the loading. The
+/// flow is left at that loading and the last λr.
 CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading,
                              Continuation continuation = Continuation::primal_dual,
                              const solve::PathOptions& options = cylinder_path_options(),
@@ -124,7 +127,7 @@ CylinderPath follow_lambda_r(CylinderFlow& cylinder, double loading,
 /// Follows the loading at the scene's λr from `start` (its parameter is the loading) to `target`.
 CylinderPath follow_loading(CylinderFlow& cylinder, solve::PathStart<CylinderFlow::State> start,
                             double target, Continuation continuation = Continuation::primal_dual,
-                            solve::PathOptions options = cylinder_path_options(),
+                            const solve::PathOptions& options = cylinder_path_options(),
                             const CylinderObserver& observe = {});
 
 }  // namespace talus::twod

@@ -55,8 +55,7 @@ int CylinderSweep::folds() const {
 // A little above the onset in the empty channel the cylinder still holds everything: a path in λr
 // has nothing to pass there.
 double CylinderSweep::first_loading() const {
-  return std::min(options_.loadings.front(),
-                  1.1 * options_.scene.law.mu_s / options_.scene.mesh.half_width);
+  return std::min(options_.loadings.front(), held_loading(options_.scene));
 }
 
 solve::PathOptions CylinderSweep::path_options() const {

@@ -64,6 +64,8 @@ struct NewtonOptions {
   double tolerance = 1e-12;  ///< on Residual::relative_norm()
   int max_iterations = 200;
   int stall_iterations = 40;  ///< iterations without a smaller residual before giving up
+  /// Relative residual at which an iterate is beyond hope; the start may lie there.
+  double hopeless = std::numeric_limits<double>::infinity();
   LineSearch line_search = LineSearch::energy_slope;
 };
 
@@ -126,7 +128,10 @@ NewtonSummary newton(P& problem, typename P::State& state, const NewtonOptions& 
     if (residual->is_round_off()) return ended(End::at_round_off_floor);
     since_best = residual->relative_norm() < best ? 0 : since_best + 1;
     best = std::min(best, residual->relative_norm());
-    if (since_best >= options.stall_iterations || summary.iterations() >= options.max_iterations)
+    const bool is_hopeless =
+        summary.iterations() > 0 && residual->relative_norm() >= options.hopeless;
+    if (is_hopeless || since_best >= options.stall_iterations ||
+        summary.iterations() >= options.max_iterations)
       return ended(End::stagnated);
 
     if (!problem.linear_solve(-residual->value, direction)) return ended(End::linear_solver_failed);

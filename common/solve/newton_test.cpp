@@ -152,6 +152,12 @@ BOOST_AUTO_TEST_CASE(full_steps_diverge_where_the_line_search_converges) {
   CompensatedVector state = at(30);
   BOOST_TEST(!is_success(newton(problem, state, full_steps).end));
   state = at(30);
+  NewtonOptions watched = full_steps;
+  watched.hopeless = 0.7;
+  const NewtonSummary given_up = newton(problem, state, watched);  // sooner
+  BOOST_CHECK(given_up.end == End::stagnated);
+  BOOST_TEST(given_up.iterations() == 1);
+  state = at(30);
   BOOST_TEST(is_success(newton(problem, state).end));
   BOOST_TEST(state.value()[0] == std::tan(0.5), tolerance(1e-11));
 }

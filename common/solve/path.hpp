@@ -105,6 +105,7 @@ struct PathOptions {
   double growth = 1.5;                              ///< factor for both; a failure halves the step
   double max_deviation = 2;  ///< correction of a predicted state, over the step
   double tolerance = 1e-10;  ///< of every point, on Residual::relative_norm()
+  double hopeless = std::numeric_limits<double>::infinity();  ///< NewtonOptions::hopeless
   int max_corrections = 10;  ///< full Newton steps: a path needs none shorter, it shortens its own
 };
 
@@ -154,6 +155,7 @@ NewtonSummary solve_at(P& problem, double parameter, typename P::State& state,
   NewtonSummary summary = newton(problem, state,
                                  {.tolerance = options.tolerance,
                                   .max_iterations = options.max_corrections,
+                                  .hopeless = options.hopeless,
                                   .line_search = LineSearch::none});
   path.pending.factorisations += summary.iterations();
   return summary;

@@ -1,0 +1,180 @@
+// Ways to a solution of the cylinder: starts, and paths in λr and in the loading.
+#include "common/solve/natural_continuation.hpp"
+#include "twod/cylinder.hpp"
+
+namespace talus::twod {
+namespace {
+
+using State = CylinderFlow::State;
+
+// Smooth enough for Newton from rest; for its primal-dual form, nearly always.
+constexpr double smooth_lambda_r = 0.1, primal_dual_lambda_r = 0.01;
+
+template <class Problem>
+CylinderPath follow(CylinderFlow& cylinder, Problem problem, solve::PathStart<State> start,
+                    Continuation continuation, solve::PathOptions options,
+                    const CylinderObserver& observe) {
+  if (start.parameter == options.target) {  // of this path the start is all
+    options.target.reset();
+    options.max_points = 1;
+    auto path = follow(cylinder, problem, std::move(start), continuation, options, observe);
+    if (path.end == solve::PathEnd::out_of_points) path.end = solve::PathEnd::target_reached;
+    return path;
+  }
+  const solve::PathObserver<State> observer = [&](const State& state, solve::PathPoint& point) {
+    return !observe || observe(state, measure(cylinder, state), point);
+  };
+  if (continuation == Continuation::arclength)
+    return solve::follow_arclength(problem, std::move(start), options, observer);
+  if (continuation == Continuation::natural)
+    return solve::follow_natural(problem, std::move(start), solve::Predictor::secant, options,
+                                 observer);
+  // Steps so long that a tangent says nothing about their end, with time to converge.
+  solve::PathOptions far = options;
+  far.largest_step = 2;
+  far.few_corrections = 8;
+  far.many_corrections = 14;
+  far.max_corrections = 24;
+  far.hopeless = 0.5;
+  cylinder.flow().carry_stress();
+  auto path =
+      solve::follow_natural(problem, std::move(start), solve::Predictor::constant, far, observer);
+  cylinder.flow().stop_carrying_stress();
+  return path;
+}
+
+solve::NewtonSummary newton_at(CylinderFlow& cylinder, double loading, double lambda_r,
+                               State& state, double tolerance) {
+  cylinder.flow().set_load_factor(loading);
+  cylinder.flow().set_lambda_r(lambda_r);
+  return solve::newton(cylinder.flow(), state,
+                       {.tolerance = tolerance,
+                        .max_iterations = 100,
+                        .line_search = solve::LineSearch::residual_norm});
+}
+
+// Newton from rest at `lambda_r`, or at the scene's if that is larger. On the way pressures are
+// negative: eq. (16) is needed there even if the scene does without.
+solve::NewtonSummary smooth_start(CylinderFlow& cylinder, double loading, double lambda_r,
+                                  State& state, double tolerance) {
+  const rheology::Rheology own = cylinder.flow().rheology();
+  rheology::Rheology regularised = own;
+  regularised.regularises_pressure = true;
+  cylinder.flow().set_rheology(regularised);
+  state = cylinder.space().start();
+  lambda_r = std::max(lambda_r, cylinder.scene().lambda_r);
+  auto newton = newton_at(cylinder, loading, lambda_r, state, tolerance);
+  cylinder.flow().set_rheology(own);
+  if (!own.regularises_pressure && solve::is_success(newton.end))
+    newton = newton_at(cylinder, loading, lambda_r, state, tolerance);
+  return newton;
+}
+
+solve::PathOptions loading_options(const Cylinder& scene, double target,
+                                   solve::PathOptions options) {
+  options.target = target;
+  options.lower = 0;
+  // The walls alone carry μ2/half_width; the cylinder adds a little.
+  options.upper = 1.2 * scene.law.mu_2() / scene.mesh.half_width;
+  options.parameter_scale = 1e-3;  // loadings between which the flow changes its face
+  return options;
+}
+
+// A state to set out from with the primal-dual tangent, and its λr: Newton from rest; the same at a
+// loading that the cylinder holds, and from there along the loading; Newton from rest where it is
+// smoother.
+std::pair<State, double> primal_dual_start(CylinderFlow& cylinder, double loading,
+                                           const solve::PathOptions& options) {
+  const Cylinder& scene = cylinder.scene();
+  const double lambda_r = std::max(primal_dual_lambda_r, scene.lambda_r);
+  State state;
+  const auto starts = [&](double from, double at) {
+    cylinder.flow().carry_stress();
+    return solve::is_success(smooth_start(cylinder, from, at, state, options.tolerance).end);
+  };
+  if (starts(loading, lambda_r)) return {std::move(state), lambda_r};
+  const double held = held_loading(scene);
+  if (held < loading && starts(held, lambda_r)) {
+    auto path = follow(cylinder, flow::LoadPath<2>(cylinder.flow()),
+                       {.state = std::move(state), .parameter = held, .step = 1},
+                       Continuation::primal_dual, loading_options(scene, loading, options), {});
+    if (path.end == solve::PathEnd::target_reached) return {std::move(path.next.state), lambda_r};
+  }
+  starts(loading, smooth_lambda_r);
+  return {std::move(state), std::max(smooth_lambda_r, scene.lambda_r)};
+}
+
+}  // namespace
+
+std::string name_of(Continuation continuation) {
+  switch (continuation) {
+    case Continuation::arclength:
+      return "arclength";
+    case Continuation::natural:
+      return "natural";
+    case Continuation::primal_dual:
+      return "primal-dual";
+  }
+  return {};
+}
+
+double held_loading(const Cylinder& scene) {
+  return 1.1 * scene.law.mu_s / scene.mesh.half_width;
+}
+
+solve::PathOptions cylinder_path_options() {
+  solve::PathOptions options;
+  options.tolerance = 1e-9;
+  options.few_corrections = 4;
+  options.growth = 2;
+  options.largest_step = 1;
+  options.max_points = 400;
+  return options;
+}
+
+CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading, Continuation continuation,
+                             const solve::PathOptions& options, const CylinderObserver& observe) {
+  const bool is_primal_dual = continuation == Continuation::primal_dual;
+  State state;
+  double lambda_r = std::max(smooth_lambda_r, cylinder.scene().lambda_r);
+  if (is_primal_dual)
+    std::tie(state, lambda_r) = primal_dual_start(cylinder, loading, options);
+  else
+    smooth_start(cylinder, loading, lambda_r, state, options.tolerance);
+  return follow_lambda_r(cylinder, loading,
+                         {.state = std::move(state),
+                          .parameter = std::log10(lambda_r),
+                          .direction = -1,
+                          .step = is_primal_dual ? 1 : 0.2},
+                         continuation, options, observe);
+}
+
+solve::NewtonSummary solve_creep(CylinderFlow& cylinder, double loading, State& state,
+                                 double tolerance) {
+  const double lambda_r = cylinder.scene().lambda_r;
+  const auto smooth = smooth_start(cylinder, loading, smooth_lambda_r, state, tolerance);
+  if (!solve::is_success(smooth.end)) return smooth;
+  for (Eigen::Index i = 0; i < cylinder.space().velocity_count(); ++i)
+    state.set(i, std::min(1.0, lambda_r / smooth_lambda_r) * state.value()[i]);
+  return newton_at(cylinder, loading, lambda_r, state, tolerance);
+}
+
+CylinderPath follow_lambda_r(CylinderFlow& cylinder, double loading, solve::PathStart<State> start,
+                             Continuation continuation, solve::PathOptions options,
+                             const CylinderObserver& observe) {
+  cylinder.flow().set_load_factor(loading);
+  options.target = std::log10(cylinder.scene().lambda_r);
+  options.upper = 1;  // λr = 10: a path that climbs there has turned back for good
+  return follow(cylinder, flow::RegularisationPath<2>(cylinder.flow()), std::move(start),
+                continuation, options, observe);
+}
+
+CylinderPath follow_loading(CylinderFlow& cylinder, solve::PathStart<State> start, double target,
+                            Continuation continuation, const solve::PathOptions& options,
+                            const CylinderObserver& observe) {
+  cylinder.flow().set_lambda_r(cylinder.scene().lambda_r);
+  return follow(cylinder, flow::LoadPath<2>(cylinder.flow()), std::move(start), continuation,
+                loading_options(cylinder.scene(), target, options), observe);
+}
+
+}  // namespace talus::twod
