@@ -9,6 +9,8 @@ using State = CylinderFlow::State;
 
 // Smooth enough for Newton from rest; for its primal-dual form, nearly always.
 constexpr double smooth_lambda_r = 0.1, primal_dual_lambda_r = 0.01;
+// Also smooth enough along the loading, on fine meshes.
+constexpr double loading_lambda_rs[] = {primal_dual_lambda_r, 0.03};
 
 template <class Problem>
 CylinderPath follow(CylinderFlow& cylinder, Problem problem, solve::PathStart<State> start,
@@ -80,28 +82,52 @@ solve::PathOptions loading_options(const Cylinder& scene, double target,
   return options;
 }
 
-// A state to set out from with the primal-dual tangent, and its λr: Newton from rest; the same at a
-// loading that the cylinder holds, and from there along the loading; Newton from rest where it is
-// smoother.
-std::pair<State, double> primal_dual_start(CylinderFlow& cylinder, double loading,
-                                           const solve::PathOptions& options) {
-  const Cylinder& scene = cylinder.scene();
-  const double lambda_r = std::max(primal_dual_lambda_r, scene.lambda_r);
+// A state to set out from, and its λr.
+struct SmoothStart {
   State state;
-  const auto starts = [&](double from, double at) {
-    cylinder.flow().carry_stress();
-    return solve::is_success(smooth_start(cylinder, from, at, state, options.tolerance).end);
-  };
-  if (starts(loading, lambda_r)) return {std::move(state), lambda_r};
-  const double held = held_loading(scene);
-  if (held < loading && starts(held, lambda_r)) {
-    auto path = follow(cylinder, flow::LoadPath<2>(cylinder.flow()),
-                       {.state = std::move(state), .parameter = held, .step = 1},
-                       Continuation::primal_dual, loading_options(scene, loading, options), {});
-    if (path.end == solve::PathEnd::target_reached) return {std::move(path.next.state), lambda_r};
-  }
-  starts(loading, smooth_lambda_r);
-  return {std::move(state), std::max(smooth_lambda_r, scene.lambda_r)};
+  double lambda_r = 0;
+  bool succeeded = false;
+};
+
+// Newton from rest, with the primal-dual tangent if told to.
+SmoothStart start_at(CylinderFlow& cylinder, double loading, double lambda_r, bool is_primal_dual,
+                     double tolerance) {
+  SmoothStart start{.state = {}, .lambda_r = std::max(lambda_r, cylinder.scene().lambda_r)};
+  if (is_primal_dual) cylinder.flow().carry_stress();
+  const auto newton = smooth_start(cylinder, loading, start.lambda_r, start.state, tolerance);
+  cylinder.flow().stop_carrying_stress();
+  start.succeeded = solve::is_success(newton.end);
+  return start;
+}
+
+// From rest at a loading that the cylinder holds, then along the loading.
+SmoothStart start_along_loading(CylinderFlow& cylinder, double loading, double lambda_r,
+                                const solve::PathOptions& options) {
+  const double held = held_loading(cylinder.scene());
+  SmoothStart start = start_at(cylinder, held, lambda_r, true, options.tolerance);
+  if (!start.succeeded) return start;
+  auto along = loading_options(cylinder.scene(), loading, options);
+  along.smallest_step = 0.02;
+  auto path = follow(cylinder, flow::LoadPath<2>(cylinder.flow()),
+                     {.state = std::move(start.state), .parameter = held, .step = 1},
+                     Continuation::primal_dual, along, {});
+  return {std::move(path.next.state), start.lambda_r, path.end == solve::PathEnd::target_reached};
+}
+
+// What each way to follow a path prefers; then whatever starts.
+SmoothStart start_from_rest(CylinderFlow& cylinder, double loading, Continuation continuation,
+                            const solve::PathOptions& options) {
+  const bool is_primal_dual = continuation == Continuation::primal_dual;
+  const double preferred = is_primal_dual ? primal_dual_lambda_r : smooth_lambda_r;
+  const SmoothStart from_rest =
+      start_at(cylinder, loading, preferred, is_primal_dual, options.tolerance);
+  if (from_rest.succeeded) return from_rest;
+  if (loading > held_loading(cylinder.scene()))
+    for (const double lambda_r : loading_lambda_rs)
+      if (auto along = start_along_loading(cylinder, loading, lambda_r, options); along.succeeded)
+        return along;
+  return is_primal_dual ? start_at(cylinder, loading, smooth_lambda_r, true, options.tolerance)
+                        : from_rest;
 }
 
 }  // namespace
@@ -134,18 +160,12 @@ solve::PathOptions cylinder_path_options() {
 
 CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading, Continuation continuation,
                              const solve::PathOptions& options, const CylinderObserver& observe) {
-  const bool is_primal_dual = continuation == Continuation::primal_dual;
-  State state;
-  double lambda_r = std::max(smooth_lambda_r, cylinder.scene().lambda_r);
-  if (is_primal_dual)
-    std::tie(state, lambda_r) = primal_dual_start(cylinder, loading, options);
-  else
-    smooth_start(cylinder, loading, lambda_r, state, options.tolerance);
+  SmoothStart start = start_from_rest(cylinder, loading, continuation, options);
   return follow_lambda_r(cylinder, loading,
-                         {.state = std::move(state),
-                          .parameter = std::log10(lambda_r),
+                         {.state = std::move(start.state),
+                          .parameter = std::log10(start.lambda_r),
                           .direction = -1,
-                          .step = is_primal_dual ? 1 : 0.2},
+                          .step = continuation == Continuation::primal_dual ? 1 : 0.2},
                          continuation, options, observe);
 }
 
