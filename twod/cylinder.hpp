@@ -106,8 +106,8 @@ double held_loading(const Cylinder& scene);
 solve::PathOptions cylinder_path_options();
 
 /// Solves a loading from nothing: Newton from rest at λr = 0.1 (in primal-dual form at 0.01), where
-/// that fails along the loading at 0.01 or 0.03; then a path in log10 λr down to the scene's. The
-/// flow is left at that loading and the last λr.
+/// that fails along the loading at 0.03 (0.01, then 0.03); then a path in log10 λr down to the
+/// scene's. The flow is left at that loading and the last λr.
 CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading,
                              Continuation continuation = Continuation::primal_dual,
                              const solve::PathOptions& options = cylinder_path_options(),

@@ -9,8 +9,8 @@ using State = CylinderFlow::State;
 
 // Smooth enough for Newton from rest; for its primal-dual form, nearly always.
 constexpr double smooth_lambda_r = 0.1, primal_dual_lambda_r = 0.01;
-// Also smooth enough along the loading, on fine meshes.
-constexpr double loading_lambda_rs[] = {primal_dual_lambda_r, 0.03};
+// Smooth enough along the loading on fine meshes; some laws can do with the other one.
+constexpr double loading_lambda_r = 0.03;
 
 template <class Problem>
 CylinderPath follow(CylinderFlow& cylinder, Problem problem, solve::PathStart<State> start,
@@ -123,9 +123,11 @@ SmoothStart start_from_rest(CylinderFlow& cylinder, double loading, Continuation
       start_at(cylinder, loading, preferred, is_primal_dual, options.tolerance);
   if (from_rest.succeeded) return from_rest;
   if (loading > held_loading(cylinder.scene()))
-    for (const double lambda_r : loading_lambda_rs)
-      if (auto along = start_along_loading(cylinder, loading, lambda_r, options); along.succeeded)
-        return along;
+    for (const double lambda_r : {primal_dual_lambda_r, loading_lambda_r}) {
+      if (!is_primal_dual && lambda_r < loading_lambda_r) continue;
+      auto along = start_along_loading(cylinder, loading, lambda_r, options);
+      if (along.succeeded) return along;
+    }
   return is_primal_dual ? start_at(cylinder, loading, smooth_lambda_r, true, options.tolerance)
                         : from_rest;
 }

@@ -139,7 +139,7 @@ void atlas(Chapter& chapter, const Context& context) {
         const Followed f = follow(law, around, way, context.full ? 250 : 30);
         add_row(*map.map, way.label + ", " + std::to_string(around), f);
         table.rows.push_back(row_of(name, around, way, f));
-        // Eq. (12) has folds on 16 elements, and nobody knows yet about 80.
+        // Eq. (12) has several flows on 16 elements, and on 80 a path of many steps.
         const bool is_sure = !rheology::has_yield_stress(law) || (around >= 24 && around <= 40);
         if (way.continuation == twod::Continuation::primal_dual && is_sure)
           chapter.check(name + ", primal-dual, " + std::to_string(around) +
@@ -165,10 +165,10 @@ void atlas(Chapter& chapter, const Context& context) {
       "Paths in λr past yield, F = 0.054. The control law is followed to the end in every way. "
       "Eq. (12) on 16 elements ends in ever smaller steps by arclength; with a stress carried "
       "beside the velocity (primal-dual) Newton's method converges from decade to decade of λr, "
-      "far from the path between, and comes to the end in a fraction of the factorisations, for "
-      "eq. (12) from 24 elements on, where arclength passes fold after fold; on 16 it stops too. A "
-      "floor under the pressure in (16) changes little. Without (16) no path starts: Newton fails "
-      "at λr = 0.1, from the solution with it.");
+      "far from the path between, and comes to the end in a fraction of the factorisations: on 16 "
+      "elements in another flow than the one the path follows, from 24 on, where arclength passes "
+      "fold after fold, in the one it leads to. Neither a floor under the pressure in (16) nor "
+      "doing without (16) changes much.");
   chapter.figure(std::move(maps));
   chapter.figure(std::move(lines));
   chapter.table(std::move(table));
