@@ -55,16 +55,16 @@ solve::NewtonSummary newton_at(CylinderFlow& cylinder, double loading, double la
                         .line_search = solve::LineSearch::residual_norm});
 }
 
-// Newton from rest at `lambda_r`, or at the scene's if that is larger. On the way pressures are
-// negative: eq. (16) is needed there even if the scene does without.
+// Newton from rest at `lambda_r`, or at the scene's if that is larger; the flow keeps it. On the
+// way pressures are negative: eq. (16) is needed there even if the scene does without.
 solve::NewtonSummary smooth_start(CylinderFlow& cylinder, double loading, double lambda_r,
                                   State& state, double tolerance) {
-  const rheology::Rheology own = cylinder.flow().rheology();
+  rheology::Rheology own = cylinder.flow().rheology();
+  own.lambda_r = lambda_r = std::max(lambda_r, cylinder.scene().lambda_r);
   rheology::Rheology regularised = own;
   regularised.regularises_pressure = true;
   cylinder.flow().set_rheology(regularised);
   state = cylinder.space().start();
-  lambda_r = std::max(lambda_r, cylinder.scene().lambda_r);
   auto newton = newton_at(cylinder, loading, lambda_r, state, tolerance);
   cylinder.flow().set_rheology(own);
   if (!own.regularises_pressure && solve::is_success(newton.end))
@@ -108,6 +108,7 @@ SmoothStart start_along_loading(CylinderFlow& cylinder, double loading, double l
   if (!start.succeeded) return start;
   auto along = loading_options(cylinder.scene(), loading, options);
   along.smallest_step = 0.02;
+  along.max_points = 100;
   auto path = follow(cylinder, flow::LoadPath<2>(cylinder.flow()),
                      {.state = std::move(start.state), .parameter = held, .step = 1},
                      Continuation::primal_dual, along, {});
