@@ -92,10 +92,11 @@ struct SmoothStart {
 // Newton from rest, with the primal-dual tangent if told to.
 SmoothStart start_at(CylinderFlow& cylinder, double loading, double lambda_r, bool is_primal_dual,
                      double tolerance) {
-  SmoothStart start{.state = {}, .lambda_r = std::max(lambda_r, cylinder.scene().lambda_r)};
+  SmoothStart start;
   if (is_primal_dual) cylinder.flow().carry_stress();
-  const auto newton = smooth_start(cylinder, loading, start.lambda_r, start.state, tolerance);
+  const auto newton = smooth_start(cylinder, loading, lambda_r, start.state, tolerance);
   cylinder.flow().stop_carrying_stress();
+  start.lambda_r = cylinder.flow().rheology().lambda_r;
   start.succeeded = solve::is_success(newton.end);
   return start;
 }
@@ -107,7 +108,7 @@ SmoothStart start_along_loading(CylinderFlow& cylinder, double loading, double l
   SmoothStart start = start_at(cylinder, held, lambda_r, true, options.tolerance);
   if (!start.succeeded) return start;
   auto along = loading_options(cylinder.scene(), loading, options);
-  along.smallest_step = 0.02;
+  along.smallest_step = 0.02;  // rather set out from another λr than creep
   along.max_points = 100;
   auto path = follow(cylinder, flow::LoadPath<2>(cylinder.flow()),
                      {.state = std::move(start.state), .parameter = held, .step = 1},
@@ -124,8 +125,9 @@ SmoothStart start_from_rest(CylinderFlow& cylinder, double loading, Continuation
       start_at(cylinder, loading, preferred, is_primal_dual, options.tolerance);
   if (from_rest.succeeded) return from_rest;
   if (loading > held_loading(cylinder.scene()))
-    for (const double lambda_r : {primal_dual_lambda_r, loading_lambda_r}) {
-      if (!is_primal_dual && lambda_r < loading_lambda_r) continue;
+    for (const double lambda_r : is_primal_dual
+                                     ? std::vector{primal_dual_lambda_r, loading_lambda_r}
+                                     : std::vector{loading_lambda_r}) {
       auto along = start_along_loading(cylinder, loading, lambda_r, options);
       if (along.succeeded) return along;
     }

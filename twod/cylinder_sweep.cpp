@@ -52,8 +52,7 @@ int CylinderSweep::folds() const {
       records_, [](const PathRecord& record) { return record.point.is_fold_passed; }));
 }
 
-// A little above the onset in the empty channel the cylinder still holds everything: a path in λr
-// has nothing to pass there.
+// Where the cylinder holds everything a path in λr has nothing to pass.
 double CylinderSweep::first_loading() const {
   return std::min(options_.loadings.front(), held_loading(options_.scene));
 }

@@ -1,14 +1,11 @@
 // The flow past the cylinder against reference numbers, balances and itself.
-#include "twod/cylinder.hpp"
-
 #include <algorithm>
 #include <numbers>
-
-#include <boost/test/unit_test.hpp>
 
 #include "common/flow/dense_jacobian.hpp"
 #include "common/flow/dense_test_problems.hpp"
 #include "twod/cylinder_report.hpp"
+#include "twod/cylinder_test_problems.hpp"
 
 using namespace talus;
 using namespace talus::twod;
@@ -16,45 +13,6 @@ using State = CylinderFlow::State;
 using solve::PathEnd;
 
 namespace {
-
-Cylinder scene(int around, double lambda_r = 1e-6) {
-  Cylinder scene;
-  scene.mesh = refined_to(around);
-  scene.lambda_r = lambda_r;
-  return scene;
-}
-
-double relative(double value, double reference) {
-  return std::abs(value / reference - 1);
-}
-
-void solve_at(CylinderFlow& cylinder, double loading, double lambda_r, State& state,
-              double tolerance = 1e-13) {
-  cylinder.flow().set_load_factor(loading);
-  cylinder.flow().set_lambda_r(lambda_r);
-  const auto newton = solve::newton(cylinder.flow(), state,
-                                    {.tolerance = tolerance,
-                                     .max_iterations = 50,
-                                     .line_search = solve::LineSearch::residual_norm});
-  BOOST_REQUIRE_MESSAGE(solve::is_success(newton.end), solve::name_of(newton.end));
-}
-
-State creep(CylinderFlow& cylinder, double loading) {
-  State state;
-  const auto newton = solve_creep(cylinder, loading, state);
-  BOOST_REQUIRE_MESSAGE(solve::is_success(newton.end), solve::name_of(newton.end));
-  return state;
-}
-
-CylinderMeasures creep_at(const Cylinder& scene, double loading) {
-  CylinderFlow cylinder(scene);
-  return measure(cylinder, creep(cylinder, loading));
-}
-
-int folds(const CylinderPath& path) {
-  return static_cast<int>(std::ranges::count_if(
-      path.points, [](const solve::PathPoint& point) { return point.is_fold_passed; }));
-}
 
 // L2 norms of the dynamic pressure and of grad u.
 std::pair<double, double> norms(const CylinderFlow& cylinder, const State& state) {
@@ -69,22 +27,6 @@ std::pair<double, double> norms(const CylinderFlow& cylinder, const State& state
       gradient += weight * values.velocity_gradient.squaredNorm();
     }
   return {std::sqrt(pressure), std::sqrt(gradient)};
-}
-
-template <class Path>
-struct WithWrongDerivative : Path {
-  using Path::Path;
-  Eigen::VectorXd parameter_derivative() const { return 0.5 * Path::parameter_derivative(); }
-};
-
-template <class Path>
-void check_predictor_order(CylinderFlow& cylinder, const State& state, double step) {
-  Path path(cylinder.flow());
-  WithWrongDerivative<Path> wrong(cylinder.flow());
-  const double order = solve::predictor_order(path, state, step);
-  const double wrong_order = solve::predictor_order(wrong, state, step);
-  BOOST_TEST((1.9 < order && order < 2.1), "order " << order);
-  BOOST_TEST((0.9 < wrong_order && wrong_order < 1.1), "wrong order " << wrong_order);
 }
 
 }  // namespace
@@ -137,86 +79,6 @@ BOOST_AUTO_TEST_CASE(the_traction_approaches_the_reactions_at_first_order) {
   BOOST_TEST((0.8 < order && order < 1.2), "order " << order);
 }
 
-BOOST_AUTO_TEST_CASE(the_well_posed_law_has_no_folds_on_the_way_to_flow) {
-  Cylinder well_posed = scene(40);
-  well_posed.regularisation = *rheology::regularisation_named("barker-gray");
-  CylinderFlow cylinder(well_posed);
-  solve::PathOptions options = cylinder_path_options();  // few steps in vain
-  options.tolerance = 1e-6;
-  options.few_corrections = 3;
-  options.growth = 1.3;
-  options.max_corrections = 6;
-  const CylinderPath path = solve_from_rest(cylinder, 0.054, Continuation::arclength, options);
-  BOOST_TEST((path.end == PathEnd::target_reached), solve::name_of(path.end));
-  BOOST_TEST(folds(path) == 0);
-  const CylinderMeasures m = measure(cylinder, path.next.state);
-  BOOST_TEST_MESSAGE("U " << m.mean_velocity << ", drag " << m.drag << ", imbalance "
-                          << m.imbalance());
-  BOOST_TEST(std::abs(m.mean_velocity - 0.1618) < 1e-4);
-  BOOST_TEST(std::abs(m.drag - 6.077) < 1e-3);
-  BOOST_TEST(std::abs(m.imbalance()) < 1e-10);
-  BOOST_TEST(std::abs(m.momentum_flux / m.weight) > 1e-8);  // and inertia counts
-  BOOST_TEST((0 < m.yielded_share && m.yielded_share < 1));
-}
-
-BOOST_AUTO_TEST_CASE(where_rest_is_too_far_paths_set_out_along_the_loading) {
-  Cylinder fast = scene(24);
-  fast.regularisation = *rheology::regularisation_named("barker-gray");
-  solve::PathOptions options = cylinder_path_options();
-  options.max_points = 1;
-  for (const auto& [way, lambda_r] :
-       {std::pair(Continuation::primal_dual, 0.01), {Continuation::arclength, 0.03}}) {
-    CylinderFlow cylinder(fast);  // from rest Newton fails at 0.01 and 0.1
-    const CylinderPath path = solve_from_rest(cylinder, 0.06, way, options);
-    BOOST_REQUIRE(path.points.size() == 1U);
-    BOOST_TEST(std::abs(path.points[0].parameter - std::log10(lambda_r)) < 1e-12);
-  }
-}
-
-// On this mesh the path turns back at the yield load and once more.
-BOOST_AUTO_TEST_CASE(arclength_passes_the_yield_load_where_natural_continuation_stops) {
-  CylinderFlow cylinder(scene(16));
-  const solve::PathStart<State> start{.state = creep(cylinder, 0.045), .parameter = 0.045};
-  solve::PathOptions options = cylinder_path_options();
-  const CylinderPath arclength =
-      follow_loading(cylinder, start, 0.051, Continuation::arclength, options);
-  BOOST_TEST((arclength.end == PathEnd::target_reached), solve::name_of(arclength.end));
-  BOOST_TEST(measure(cylinder, arclength.next.state).mean_velocity > 0.01);
-  const auto turns = solve::fold_parameters(arclength.points);
-  BOOST_REQUIRE(turns.size() == 2U);
-  options.smallest_step = 1e-3;
-  const CylinderPath natural =
-      follow_loading(cylinder, start, 0.051, Continuation::natural, options);
-  BOOST_TEST_MESSAGE("folds at " << turns[0] << ", " << turns[1] << ", natural stops at "
-                                 << natural.next.parameter);
-  BOOST_TEST((natural.end == PathEnd::step_too_small), solve::name_of(natural.end));
-  BOOST_TEST(std::abs(natural.next.parameter - turns[0]) < 1e-5);
-  BOOST_TEST(turns[1] < turns[0]);
-}
-
-BOOST_AUTO_TEST_CASE(the_paths_lead_where_newton_leads) {
-  constexpr double lambda_r = 1e-4;
-  const CylinderMeasures direct = creep_at(scene(16, lambda_r), 0.03);
-  for (const auto continuation :
-       {Continuation::arclength, Continuation::natural, Continuation::primal_dual}) {
-    CylinderFlow cylinder(scene(16, lambda_r));
-    CylinderPath path = solve_from_rest(cylinder, 0.03, continuation);
-    BOOST_REQUIRE((path.end == PathEnd::target_reached));
-    solve_at(cylinder, 0.03, lambda_r, path.next.state);
-    const CylinderMeasures m = measure(cylinder, path.next.state);
-    BOOST_TEST(relative(m.drag, direct.drag) < 1e-9);
-    BOOST_TEST(relative(m.mean_velocity, direct.mean_velocity) < 1e-9);
-  }
-  CylinderFlow cylinder(scene(16, lambda_r));
-  const auto stop = [](const State&, const CylinderMeasures& m, const solve::PathPoint&) {
-    return m.lambda_r > 0.01;
-  };
-  const auto path =
-      solve_from_rest(cylinder, 0.03, Continuation::arclength, cylinder_path_options(), stop);
-  BOOST_TEST((path.end == PathEnd::stopped));
-  BOOST_TEST(cylinder.flow().rheology().lambda_r <= 0.01);
-}
-
 BOOST_AUTO_TEST_CASE(half_and_full_domain_agree) {
   Cylinder full = scene(16);
   full.mesh.full = true;
@@ -242,13 +104,6 @@ BOOST_AUTO_TEST_CASE(a_plain_penalty_leaves_the_divergence_it_should) {
   BOOST_TEST(iterated.projected_divergence < 1e-13);
   BOOST_TEST_MESSAGE("drag changed by " << relative(m.drag, iterated.drag));
   BOOST_TEST(relative(m.drag, iterated.drag) < 1e-6);
-}
-
-BOOST_AUTO_TEST_CASE(tangent_steps_along_both_parameters_are_of_second_order) {
-  CylinderFlow cylinder(scene(16, 1e-2));
-  const State state = creep(cylinder, 0.045);
-  check_predictor_order<flow::RegularisationPath<2>>(cylinder, state, 0.02);
-  check_predictor_order<flow::LoadPath<2>>(cylinder, state, 0.02);
 }
 
 BOOST_AUTO_TEST_CASE(an_outlet_whose_pressure_is_open_carries_the_column) {

@@ -166,8 +166,8 @@ void atlas(Chapter& chapter, const Context& context) {
       "Eq. (12) on 16 elements ends in ever smaller steps by arclength; with a stress carried "
       "beside the velocity (primal-dual) Newton's method converges from decade to decade of λr, "
       "far from the path between, and comes to the end in a fraction of the factorisations: on 16 "
-      "elements in another flow than the one the path follows, from 24 on, where arclength passes "
-      "fold after fold, in the one it leads to. Neither a floor under the pressure in (16) nor "
+      "elements in another flow than the one the path follows, on finer ones in the one it leads "
+      "to. Neither a floor under the pressure in (16) nor "
       "doing without (16) changes much.");
   chapter.figure(std::move(maps));
   chapter.figure(std::move(lines));
