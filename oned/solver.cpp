@@ -19,10 +19,10 @@ Solution solve(const ShearScene& scene, std::span<const double> boundaries,
                const SolveOptions& options) {
   const solve::Stopwatch watch;
   flow::CrossSection<1> space = space_of(scene, boundaries);
-  solve::CompensatedVector start(space.node_count(), options.precision);
+  flow::ShearStart<1> start{solve::CompensatedVector(space.node_count(), options.precision)};
   if (options.start)
-    for (Eigen::Index i = 0; i < start.size(); ++i)
-      start.set(i, options.start(space.mesh().nodes[static_cast<std::size_t>(i)][0]));
+    for (Eigen::Index i = 0; i < start.velocity.size(); ++i)
+      start.velocity.set(i, options.start(space.mesh().nodes[static_cast<std::size_t>(i)][0]));
   Solution solution{flow::solve_shear(space, load_of(scene), options, &start), std::move(space)};
   solution.seconds = watch.seconds();
   return solution;

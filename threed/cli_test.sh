@@ -42,6 +42,9 @@ check succeeds heap "$heap" --model 3d --elements 1x5x6 --flow-rate 39.71 --star
 check expect_text stdout "flow rate Q* = 39.71" "times that"
 check is_below 1e-10 departure_from_section
 
+check succeeds heap "$heap" --method newton --elements 18x16 --start nested
+check expect_text stdout "9x8 elements" "18x16 elements"
+
 # 3. Wrong input.
 for value in 0x5 5x0 7 7x x 7x-3 abc 1e9x2 1x7x10 7x10x; do
   check refuses --elements "'$value'" -- "$heap" --elements "$value"
@@ -71,6 +74,7 @@ done <<'END'
 END
 check refuses --no-continuation "--model 3d" -- "$heap" --model 3d --no-continuation
 check refuses --start "'rest'" "--model section" -- "$heap" --start rest
+check refuses --start "'section'" "--model section" -- "$heap" --method newton --start section
 check refuses --outflow "'open'" "--model section" -- "$heap" --outflow open
 
 # 4. The limits of existence.

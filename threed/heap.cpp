@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/fem/line_mesh.hpp"
+#include "twod/section_nested.hpp"
 
 namespace talus::threed {
 namespace {
@@ -37,11 +38,10 @@ flow::DenseLoad<3> load_of(const Heap& heap) {
 
 }  // namespace
 
-HeapMesh coarsened(const Heap& heap, HeapMesh mesh) {
-  mesh.length = length_of(heap, mesh);
-  for (int* elements : {&mesh.along, &mesh.section.across, &mesh.section.up})
-    *elements = (*elements + 1) / 2;
-  return mesh;
+std::optional<HeapMesh> coarsened(const Heap& heap, const HeapMesh& mesh) {
+  const auto section = twod::coarsened(mesh.section);
+  if (!section) return std::nullopt;
+  return HeapMesh{(mesh.along + 1) / 2, *section, length_of(heap, mesh)};
 }
 
 HeapFlow::HeapFlow(const Heap& heap, const HeapMesh& mesh)
@@ -62,17 +62,8 @@ HeapPoint HeapFlow::point_at(const State& state, std::size_t element,
 }
 
 HeapPoint HeapFlow::point_at(const State& state, const flow::Point<3>& position) const {
-  std::size_t element = 0;
-  flow::Point<3> reference;
-  for (std::size_t d = 3; d-- > 0;) {
-    const auto& line = lines_[d];
-    const auto i = static_cast<Eigen::Index>(d);
-    const auto after = std::upper_bound(line.begin() + 1, line.end() - 1, position[i]);
-    const double start = *(after - 1), end = *after;
-    reference[i] = (2 * position[i] - start - end) / (end - start);
-    element = element * (line.size() - 1) + static_cast<std::size_t>(after - line.begin() - 1);
-  }
-  return point_at(state, element, reference);
+  const auto place = flow::locate<3>({lines_[0], lines_[1], lines_[2]}, position);
+  return point_at(state, place.element, place.reference);
 }
 
 }  // namespace talus::threed

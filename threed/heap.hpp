@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "common/flow/dense_flow.hpp"
@@ -28,8 +29,8 @@ struct HeapMesh {
   double length = 0;  ///< 0: elements along are as long as those across are wide on average
 };
 
-/// Half as many elements each way, rounded up, on the same box.
-HeapMesh coarsened(const Heap& heap, HeapMesh mesh);
+/// Half as many elements each way, rounded up, on the same box; nothing where that saves nothing.
+std::optional<HeapMesh> coarsened(const Heap& heap, const HeapMesh& mesh);
 
 /// What holds at a point of a solution.
 struct HeapPoint {

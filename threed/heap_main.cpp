@@ -5,6 +5,7 @@
 //   heap --elements 18x25 --angle 0.42
 //   heap --elements 14x20 --flow-rate 39.71 --plot
 //   heap --elements 14x20 --method newton --lambda-r 1e-6 --grading-to-wall 2
+//   heap --elements 18x16 --method newton --start nested
 //   heap --elements 14x20 --wall friction
 //   heap --elements 3x4 --method newton --wall friction --check-jacobian
 //   heap --model 3d --elements 1x16x16 --angle 0.42
@@ -33,7 +34,7 @@ struct Options {
   threed::HeapMesh mesh;
   program::MethodOptions method;
   std::string model = "section", wall = "no-slip", elements = "70x100", output = "results/heap";
-  std::string start = "nested", outflow = "fully-developed";
+  std::string start = "rest", outflow = "fully-developed";
   double flow_rate = 0;  // 0: the angle is given instead
   bool plot = false, check_jacobian = false;
 
@@ -48,11 +49,14 @@ void refuse_options_of_the_other_model(const CLI::App& app, Options& options) {
                           "' is not for --model " + options.model + "; " + allowed);
   };
   if (!options.is_3d()) {
-    for (const char* name : {"--start", "--outflow"}) refuse(name, "it takes --model 3d");
+    refuse("--outflow", "it takes --model 3d");
+    if (options.start == "section") refuse("--start", "rest and nested are");
+    if (options.method.method != "newton") refuse("--start", "it takes --method newton");
     return;
   }
   if (options.method.method != "newton") refuse("--method", "only newton is");
   options.method.method = "newton";
+  if (app.count("--start") == 0) options.start = "nested";
   if (options.wall != "no-slip") refuse("--wall", "only no-slip is");
   if (options.method.precision != "compensated") refuse("--precision", "only compensated is");
   refuse("--line-search", "its own is on the residual");
@@ -111,6 +115,11 @@ flow::ShearOptions section_options(const Options& options) {
                          : program::shear_options(options.method, twod::default_options());
 }
 
+// In three dimensions the section is only wanted quickly.
+twod::Start section_start(const Options& options) {
+  return options.is_3d() || options.start == "nested" ? twod::Start::nested : twod::Start::rest;
+}
+
 nlohmann::json parameters(const Options& options) {
   const auto& [along, section, length] = options.mesh;
   nlohmann::json all = {{"width", options.section.width},
@@ -120,9 +129,9 @@ nlohmann::json parameters(const Options& options) {
                         {"grading_to_wall", section.grading_to_wall},
                         {"grading_to_surface", section.grading_to_surface},
                         {"friction", program::as_json(options.section.law)}};
+  if (options.method.method == "newton") all["start"] = options.start;
   if (options.is_3d()) {
     all["elements"] = {along, section.across, section.up};
-    all["start"] = options.start;
     all["outflow"] = options.outflow;
   }
   if (options.flow_rate > 0)
@@ -155,10 +164,13 @@ int check_jacobian(const Options& options, flow::CrossSection<2>& space) {
 twod::SectionSolution solve_section(const Options& options, flow::CrossSection<2>& space) {
   const flow::ShearOptions method = section_options(options);
   const solve::Stopwatch watch;
+  const twod::SectionMesh& mesh = options.mesh.section;
   twod::SectionSolution solution =
-      options.flow_rate > 0 ? twod::solve_for_flow_rate(options.flow_rate, options.section,
-                                                        options.mesh.section, space, method)
-                            : twod::solve(options.section, space, method);
+      options.flow_rate > 0 ? twod::solve_for_flow_rate(options.flow_rate, options.section, mesh,
+                                                        space, method, section_start(options))
+      : section_start(options) == twod::Start::nested
+          ? twod::solve_nested(options.section, mesh, space, method)
+          : twod::solve(options.section, space, method);
   if (options.is_3d()) solution.seconds = watch.seconds();  // the search for the angle included
   return solution;
 }
@@ -206,8 +218,8 @@ int run(const CLI::App& app, Options& options) {
 
   // 4. What came out.
   results.update(heap ? threed::summary(*heap, space) : twod::summary(solution, space));
-  if (heap) std::cout << threed::mesh_lines(*heap);
-  std::cout << program::outcome_line(solution) << '\n'
+  std::cout << (heap ? threed::mesh_lines(*heap) : twod::mesh_lines(solution))
+            << program::outcome_line(solution) << '\n'
             << "flow rate Q* = " << io::rounded(results["results"]["flow_rate"], 10)
             << " at an angle of " << io::rounded(solution.section.angle, 10)
             << ", surface velocity " << io::rounded(results["results"]["surface_velocity"], 7)
@@ -265,9 +277,11 @@ int main(int argc, char** argv) {
   app.add_option("--elements", options.elements,
                  "Elements ACROSSxUP of half the section; in 3d ALONGxACROSSxUP, default 1x70x100")
       ->capture_default_str();
-  io::add_choice(app, "--start", options.start,
-                 "Where Newton starts in 3d: at rest, on ever finer meshes, from the section",
-                 {"nested", "rest", "section"});
+  io::add_choice(
+      app, "--start", options.start,
+      "Where Newton starts: at rest, on ever finer meshes (default in 3d), or in 3d from "
+      "the section",
+      {"rest", "nested", "section"});
   io::add_choice(app, "--outflow", options.outflow,
                  "At the outlet in 3d: developed, or open with or without their pressure",
                  {"fully-developed", "open-viscous", "open"});

@@ -6,16 +6,13 @@
 
 #include "common/flow/extrusion.hpp"
 #include "common/solve/stopwatch.hpp"
+#include "twod/section_nested.hpp"
 
 namespace talus::threed {
 namespace {
 
 using State = HeapFlow::State;
 
-// A mesh coarser than this saves nothing.
-constexpr int fewest_elements = 8;
-// Of the solves on coarser meshes: theirs is a start only.
-constexpr double tolerance_on_coarser_meshes = 1e-2;
 // From rest.
 constexpr solve::ContinuationOptions way_down{.first = 1e-2, .tolerance_on_the_way = 1e-2};
 
@@ -98,14 +95,25 @@ twod::SectionSolution middle_of(const HeapFlow& heap, const State& state) {
   return middle;
 }
 
-// The mesh and ever coarser ones, the coarsest first.
-std::vector<HeapMesh> meshes_for(const Heap& heap, const HeapMesh& mesh, Start start) {
-  std::vector<HeapMesh> meshes{mesh};
-  while (start == Start::nested &&
-         std::min(meshes.back().section.across, meshes.back().section.up) >= 2 * fewest_elements)
-    meshes.push_back(coarsened(heap, meshes.back()));
-  std::ranges::reverse(meshes);
-  return meshes;
+struct Stage {
+  Heap heap;
+  HeapMesh mesh;
+  solve::NewtonOptions newton;
+};
+
+// The problem and what leads to it: ever coarser ones if meshes are nested, the coarsest first.
+std::vector<Stage> stages(const Heap& heap, const HeapMesh& mesh, const HeapOptions& options) {
+  std::vector<Stage> all{{heap, mesh, options.newton}};
+  if (options.start == Start::nested)
+    while (const auto coarse = coarsened(heap, all.back().mesh)) {
+      Stage stage = all.back();
+      stage.mesh = *coarse;
+      stage.heap.lambda_r = twod::CoarserMesh::lambda_r_for(stage.heap.lambda_r);
+      stage.newton.tolerance = std::max(twod::CoarserMesh::tolerance, options.newton.tolerance);
+      all.push_back(stage);
+    }
+  std::ranges::reverse(all);
+  return all;
 }
 
 }  // namespace
@@ -125,9 +133,9 @@ HeapSolution solve(const Heap& heap, const HeapMesh& mesh, const HeapOptions& op
   const solve::Stopwatch watch;
   HeapSolution solution;
   solve::ContinuationSummary newton;
-  for (const HeapMesh& each : meshes_for(heap, mesh, options.start)) {
+  for (const Stage& stage : stages(heap, mesh, options)) {
     const solve::Stopwatch watch_of_mesh;
-    auto flow = std::make_unique<HeapFlow>(heap, each);
+    auto flow = std::make_unique<HeapFlow>(stage.heap, stage.mesh);
     State state;
     if (options.start == Start::section) {
       state = flow::extruded(flow->space(), section->velocity);
@@ -135,8 +143,7 @@ HeapSolution solve(const Heap& heap, const HeapMesh& mesh, const HeapOptions& op
     } else {
       const bool has_coarser = !solution.meshes.empty() && is_success(solution.meshes.back().end);
       HeapOptions here = options;
-      if (each.section.across != mesh.section.across)
-        here.newton.tolerance = std::max(tolerance_on_coarser_meshes, options.newton.tolerance);
+      here.newton = stage.newton;
       newton =
           solve_on(*flow, state, here, has_coarser ? solution.flow.get() : nullptr, solution.state);
     }

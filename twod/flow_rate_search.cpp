@@ -12,25 +12,32 @@ namespace talus::twod {
 namespace {
 
 constexpr double rate_tolerance = 5e-9;  // relative
-constexpr int coarsening = 4, fewest_elements = 8;
+constexpr int coarsening = 4;
 constexpr int most_angles = 60;
 
 // log(Q*/target) as a function of the angle, with the solution last found.
 class Excess {
  public:
-  Excess(double target, const Section& section, flow::CrossSection<2>& space,
-         const flow::ShearOptions& options)
-      : target_(target), section_(section), space_(space), options_(options) {}
+  Excess(double target, const Section& section, const SectionMesh& mesh,
+         flow::CrossSection<2>& space, const flow::ShearOptions& options, Start start)
+      : target_(target),
+        section_(section),
+        mesh_(mesh),
+        space_(space),
+        options_(options),
+        start_(start) {}
 
   double operator()(double angle) {
     constexpr double rate_of_rest = 1e-12;  // far below every other
     section_.angle = angle;
     // A plug does not form again from a faster flow: where the last solution leads nowhere, rest
     // does.
-    const SectionSolution before = std::move(last_);
+    const flow::ShearStart<2> before{std::move(last_.velocity)};
     const bool has_before = before.velocity.size() > 0;
     if (has_before) last_ = solve(section_, space_, options_, &before);
-    if (!has_before || !solve::is_success(last_.end)) last_ = solve(section_, space_, options_);
+    if (!has_before || !solve::is_success(last_.end))
+      last_ = start_ == Start::nested ? solve_nested(section_, mesh_, space_, options_)
+                                      : solve(section_, space_, options_);
     if (!solve::is_success(last_.end))
       throw std::runtime_error(solve::name_of(last_.end) + " at an angle of " +
                                std::to_string(angle) + ": " + solve::advice_for(last_.end));
@@ -41,8 +48,10 @@ class Excess {
  private:
   double target_;
   Section section_;
+  SectionMesh mesh_;
   flow::CrossSection<2>& space_;
   const flow::ShearOptions& options_;
+  Start start_;
   SectionSolution last_;
 };
 
@@ -110,19 +119,19 @@ void search_by_secants(Excess& excess, const Section& section, double angle, dou
 }  // namespace
 
 SectionSolution solve_for_flow_rate(double target, const Section& section, const SectionMesh& mesh,
-                                    flow::CrossSection<2>& space,
-                                    const flow::ShearOptions& options) {
-  Excess excess(target, section, space, options);
+                                    flow::CrossSection<2>& space, const flow::ShearOptions& options,
+                                    Start start) {
+  Excess excess(target, section, mesh, space, options, start);
   SectionMesh coarse = mesh;
   coarse.across /= coarsening;
   coarse.up /= coarsening;
-  if (std::min(coarse.across, coarse.up) < fewest_elements) {
+  if (std::min(coarse.across, coarse.up) < CoarserMesh::fewest_elements) {
     search_by_bracket(excess, section);
   } else {
     constexpr double difference = 1e-4;  // of the angle, for the slope
     auto coarse_space = space_of(section, coarse);
-    const auto guess = solve_for_flow_rate(target, section, coarse, coarse_space, options);
-    Excess coarse_excess(target, section, coarse_space, options);
+    const auto guess = solve_for_flow_rate(target, section, coarse, coarse_space, options, start);
+    Excess coarse_excess(target, section, coarse, coarse_space, options, start);
     const double angle = guess.section.angle;
     const double slope = coarse_excess(angle + difference) / difference;
     search_by_secants(excess, section, angle, slope);

@@ -1,7 +1,7 @@
 // The angle of the heap at which a given flow rate runs down it.
 #pragma once
 
-#include "twod/section.hpp"
+#include "twod/section_nested.hpp"
 
 namespace talus::twod {
 
@@ -12,6 +12,6 @@ namespace talus::twod {
 /// reach.
 SectionSolution solve_for_flow_rate(double flow_rate, const Section& section,
                                     const SectionMesh& mesh, flow::CrossSection<2>& space,
-                                    const flow::ShearOptions& options);
+                                    const flow::ShearOptions& options, Start start = Start::rest);
 
 }  // namespace talus::twod

@@ -98,9 +98,8 @@ flow::ShearLoad<2> load_of(const Section& section) {
 }
 
 SectionSolution solve(const Section& section, flow::CrossSection<2>& space,
-                      const flow::ShearOptions& options, const SectionSolution* start) {
-  return {flow::solve_shear(space, load_of(section), options, start ? &start->velocity : nullptr),
-          section};
+                      const flow::ShearOptions& options, const flow::ShearStart<2>* start) {
+  return {flow::solve_shear(space, load_of(section), options, start), section};
 }
 
 double flow_rate(const SectionSolution& solution, const flow::CrossSection<2>& space) {

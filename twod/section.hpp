@@ -29,8 +29,17 @@ struct SectionMesh {
   double grading_to_wall = 1, grading_to_surface = 1;
 };
 
+/// What one mesh took.
+struct MeshCost {
+  SectionMesh mesh;
+  solve::End end = solve::End::stagnated;
+  int iterations = 0;
+  double seconds = 0;  ///< CPU time
+};
+
 struct SectionSolution : flow::ShearSolution {
   Section section;
+  std::vector<MeshCost> meshes = {};  ///< if there were several, the finest last
 };
 
 /// What suits the section: the interior point along the uniform path, to a relative gap of 1e-8;
@@ -49,10 +58,11 @@ flow::CrossSection<2> space_of(const Section& section, const SectionMesh& mesh);
 /// Pressure (H - z) cos α and driving force sin α.
 flow::ShearLoad<2> load_of(const Section& section);
 
-/// Solves at section.angle. Newton starts from `start` if it is given (a solution on the same
-/// mesh), else from rest; the interior point always starts from rest.
+/// Solves at section.angle. Newton starts from `start` if it is given, else from rest; the interior
+/// point always starts from rest.
 SectionSolution solve(const Section& section, flow::CrossSection<2>& space,
-                      const flow::ShearOptions& options, const SectionSolution* start = nullptr);
+                      const flow::ShearOptions& options,
+                      const flow::ShearStart<2>* start = nullptr);
 
 /// Q* = (1/W) ∫ u over the whole channel.
 double flow_rate(const SectionSolution& solution, const flow::CrossSection<2>& space);

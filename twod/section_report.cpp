@@ -11,6 +11,11 @@ nlohmann::json summary(const SectionSolution& solution, const flow::CrossSection
   const SurfaceProfile surface = surface_profile(solution, space);
   nlohmann::json all;
   program::add_outcome(all, solution);
+  for (const MeshCost& cost : solution.meshes)
+    all["meshes"].push_back({{"elements", {cost.mesh.across, cost.mesh.up}},
+                             {"status", solve::name_of(cost.end)},
+                             {"iterations", cost.iterations},
+                             {"seconds", cost.seconds}});
   all["results"] = {{"flow_rate", flow_rate(solution, space)},
                     {"angle", solution.section.angle},
                     {"surface_velocity", surface.velocity.front()},
@@ -20,6 +25,15 @@ nlohmann::json summary(const SectionSolution& solution, const flow::CrossSection
                     {"slip_at_surface", surface.velocity.back()},
                     {"yielded_share", yielded_share(solution, space)}};
   return all;
+}
+
+std::string mesh_lines(const SectionSolution& solution) {
+  std::string lines;
+  for (const MeshCost& cost : solution.meshes)
+    lines += std::to_string(cost.mesh.across) + "x" + std::to_string(cost.mesh.up) +
+             " elements: " + std::to_string(cost.iterations) + " iterations, " +
+             io::rounded(cost.seconds, 3) + " s\n";
+  return lines;
 }
 
 io::Table surface_table(const SectionSolution& solution, const flow::CrossSection<2>& space) {

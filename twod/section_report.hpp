@@ -13,6 +13,9 @@ namespace talus::twod {
 /// summary.json without the parameters.
 nlohmann::json summary(const SectionSolution& solution, const flow::CrossSection<2>& space);
 
+/// What each mesh took, one line each; none if there was only one.
+std::string mesh_lines(const SectionSolution& solution);
+
 /// y, surface velocity, depths of the flowing layer.
 io::Table surface_table(const SectionSolution& solution, const flow::CrossSection<2>& space);
 

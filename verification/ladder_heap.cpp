@@ -1,12 +1,13 @@
 // Rungs of the ladder: the heap as its cross-section and in three dimensions.
 #include "common/solve/stopwatch.hpp"
 #include "threed/heap_solve.hpp"
+#include "twod/section_nested.hpp"
 #include "verification/ladder.hpp"
 
 namespace talus::verification {
 namespace {
 
-// Both from nothing, in the way that suits each: the section at once, space on nested meshes.
+// Both from nothing, on nested meshes.
 RungCase climb(const threed::Heap& heap, const threed::HeapMesh& mesh) {
   const threed::HeapOptions options;
   RungCase rung{"angle " + io::rounded(heap.section.angle) + ", 1x" +
@@ -16,7 +17,8 @@ RungCase climb(const threed::Heap& heap, const threed::HeapMesh& mesh) {
                 {}};
   const solve::Stopwatch watch;
   auto space = twod::space_of(heap.section, mesh.section);
-  const auto section = twod::solve(heap.section, space, threed::section_options(heap, options));
+  const auto section =
+      twod::solve_nested(heap.section, mesh.section, space, threed::section_options(heap, options));
   const Eigen::Index nodes = section.velocity.size();
   rung.poorer = {section.end,
                  section.iterations(),

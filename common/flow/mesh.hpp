@@ -1,6 +1,7 @@
 // Meshes of quadratic tensor-product elements, with named boundaries.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <map>
@@ -49,6 +50,30 @@ std::array<std::size_t, fem::quadratic_nodes(Dim - 1)> face_nodes(int side) {
 /// (ends of the first axis), "bottom", "top" (of the second), "back", "front" (of the third).
 template <int Dim>
 Mesh<Dim> tensor_mesh(const std::array<std::span<const double>, Dim>& boundaries);
+
+/// A point of a mesh: an element and reference coordinates within it.
+template <int Dim>
+struct Place {
+  std::size_t element = 0;
+  Eigen::Matrix<double, Dim, 1> reference;
+};
+
+/// Where in the tensor mesh of these boundaries a position lies; outside, in the nearest element.
+template <int Dim>
+Place<Dim> locate(const std::array<std::span<const double>, Dim>& boundaries,
+                  const Eigen::Matrix<double, Dim, 1>& position) {
+  Place<Dim> place;
+  for (std::size_t d = Dim; d-- > 0;) {
+    const auto line = boundaries[d];
+    const auto i = static_cast<Eigen::Index>(d);
+    const auto after = std::upper_bound(line.begin() + 1, line.end() - 1, position[i]);
+    const double start = *(after - 1), end = *after;
+    place.reference[i] = (2 * position[i] - start - end) / (end - start);
+    place.element =
+        place.element * (line.size() - 1) + static_cast<std::size_t>(after - line.begin() - 1);
+  }
+  return place;
+}
 
 Mesh<1> line_mesh(std::span<const double> boundaries, bool fixed_at_start, bool fixed_at_end);
 

@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "common/fem/line_mesh.hpp"
+#include "common/flow/geometry.hpp"
 #include "common/flow/layer.hpp"
 #include "common/flow/mesh_tools.hpp"
 
@@ -261,4 +262,20 @@ BOOST_AUTO_TEST_CASE(an_extruded_rectangle_is_the_box) {
   for (const auto& [name, faces] : box.boundaries)
     BOOST_TEST(measure(mesh, mesh.boundaries.at(name)) == measure(box, faces),
                boost::test_tools::tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(a_place_in_a_box_is_found_again) {
+  const Mesh<3> mesh = box_mesh(x_line, y_line, z_line);
+  for (std::size_t element = 0; element < mesh.elements.size(); ++element)
+    for (const Vector3d& reference : {Vector3d(0.3, -0.7, 0), Vector3d(-0.9, 0.2, 0.99)}) {
+      const ElementPoint<3> at(mesh, element, reference);
+      const auto place = locate<3>({x_line, y_line, z_line}, at.position);
+      BOOST_TEST(place.element == element);
+      BOOST_TEST((place.reference - reference).norm() < 1e-14);
+    }
+  // On the boundary it is in the element there, beyond it in the nearest one.
+  BOOST_TEST(locate<2>({x_line, y_line}, Vector2d(3, 2)).element == 5U);
+  const auto beyond = locate<2>({x_line, y_line}, Vector2d(3.5, -1));
+  BOOST_TEST(beyond.element == 1U);
+  BOOST_TEST((beyond.reference - Vector2d(1.5, -1)).norm() < 1e-14);
 }

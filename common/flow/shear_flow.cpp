@@ -56,19 +56,37 @@ auto ShearFlow<Dim>::tangent(const rheology::Viscosity& v, const Vector& g, std:
 
 template <int Dim>
 template <class Regularisation>
+rheology::Viscosity ShearFlow<Dim>::viscosity(const Regularisation& regularisation,
+                                              double shear_rate, std::size_t k) const {
+  const double pressure = regularised_pressure_[k];
+  if (!space_.points()[k].on_wall)
+    return regularisation.evaluate(rheology_.law, rheology_.lambda_r, shear_rate, pressure);
+  // The wall slips by Coulomb's law, also where the law inside has no yield stress.
+  const rheology::FrictionLaw wall = wall_law(rheology_.law);
+  if constexpr (Regularisation::has_yield_stress)
+    return regularisation.evaluate(wall, rheology_.lambda_r, shear_rate, pressure);
+  else
+    return rheology::ChauchatMedale{}.evaluate(wall, rheology_.lambda_r, shear_rate, pressure);
+}
+
+template <int Dim>
+void ShearFlow<Dim>::carry_stress_of(std::span<const Vector> gradients) {
+  carried_stress_.clear();
+  std::visit(
+      [&](const auto& kind) {
+        for (const Vector& g : gradients)
+          carried_stress_.push_back(viscosity(kind, g.norm(), carried_stress_.size()).eta * g);
+      },
+      rheology_.regularisation);
+}
+
+template <int Dim>
+template <class Regularisation>
 void ShearFlow<Dim>::evaluate_with(const Regularisation& regularisation, const State& w) {
   using Values = typename Space::NodalValues;
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   constexpr long double extended_epsilon = std::numeric_limits<long double>::epsilon();
   constexpr double operations = 4;  // roundings that reach a contribution, beyond the gradient's
-  const rheology::FrictionLaw wall = wall_law(rheology_.law);
-  // The wall slips by Coulomb's law, also where the law inside has no yield stress.
-  const auto of_wall = [&] {
-    if constexpr (Regularisation::has_yield_stress)
-      return regularisation;
-    else
-      return rheology::ChauchatMedale{};
-  }();
   residual_.value = -load_;
   residual_.magnitude = load_.cwiseAbs();
   residual_.round_off = epsilon * residual_.magnitude;
@@ -83,11 +101,7 @@ void ShearFlow<Dim>::evaluate_with(const Regularisation& regularisation, const S
     for (const std::size_t k : space_.points_of(e)) {
       const auto& point = space_.points()[k];
       const Vector g = point.gradient(local);
-      const rheology::Viscosity v =
-          point.on_wall
-              ? of_wall.evaluate(wall, rheology_.lambda_r, g.norm(), regularised_pressure_[k])
-              : regularisation.evaluate(rheology_.law, rheology_.lambda_r, g.norm(),
-                                        regularised_pressure_[k]);
+      const rheology::Viscosity v = viscosity(regularisation, g.norm(), k);
       const Vector& stress = stress_[k] = v.eta * g;
       tangents_[k] = tangent(v, g, k);
       const Vector stress_size = stress.cwiseAbs();

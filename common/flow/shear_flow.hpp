@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "common/flow/cross_section.hpp"
@@ -38,6 +39,8 @@ class ShearFlow {
   const rheology::Rheology& rheology() const { return rheology_; }
   void set_lambda_r(double lambda_r);
   void set_tangent_term(TangentTerm term) { tangent_term_ = term; }
+  /// Lets the primal-dual tangent carry the stress of these gradients at the quadrature points.
+  void carry_stress_of(std::span<const Vector> gradients);
   const Eigen::VectorXd& load() const { return load_; }
 
   /// Residual, its magnitude and its computed round-off at every node; keeps the point tangents.
@@ -54,6 +57,9 @@ class ShearFlow {
  private:
   template <class Regularisation>
   void evaluate_with(const Regularisation& regularisation, const State& w);
+  template <class Regularisation>
+  rheology::Viscosity viscosity(const Regularisation& regularisation, double shear_rate,
+                                std::size_t point) const;
   typename Space::Tangent tangent(const rheology::Viscosity& v, const Vector& g,
                                   std::size_t point) const;
 

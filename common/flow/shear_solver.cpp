@@ -10,11 +10,12 @@ namespace {
 
 template <int Dim>
 void solve_by_newton(CrossSection<Dim>& space, const ShearLoad<Dim>& load,
-                     const ShearOptions& options, const solve::CompensatedVector* start,
+                     const ShearOptions& options, const ShearStart<Dim>* start,
                      ShearSolution& solution) {
   ShearFlow<Dim> problem = regularised_problem(space, load, options);
   solution.velocity =
-      start ? *start : solve::CompensatedVector(space.node_count(), options.precision);
+      start ? start->velocity : solve::CompensatedVector(space.node_count(), options.precision);
+  if (start) problem.carry_stress_of(start->gradients);
   if (options.continuation == Continuation::always && !start)
     solution.newton =
         solve::newton_along_path(problem, solution.velocity, options.newton, options.path);
@@ -96,7 +97,7 @@ ShearFlow<Dim> regularised_problem(CrossSection<Dim>& space, const ShearLoad<Dim
 
 template <int Dim>
 ShearSolution solve_shear(CrossSection<Dim>& space, const ShearLoad<Dim>& load,
-                          const ShearOptions& options, const solve::CompensatedVector* start) {
+                          const ShearOptions& options, const ShearStart<Dim>* start) {
   const solve::Stopwatch watch;
   ShearSolution solution;
   if (options.method == Method::newton)
@@ -117,13 +118,13 @@ std::vector<NamedCheck> check_jacobian(CrossSection<Dim>& space, const ShearLoad
 template ShearFlow<1> regularised_problem(CrossSection<1>&, const ShearLoad<1>&,
                                           const ShearOptions&);
 template ShearSolution solve_shear(CrossSection<1>&, const ShearLoad<1>&, const ShearOptions&,
-                                   const solve::CompensatedVector*);
+                                   const ShearStart<1>*);
 template std::vector<NamedCheck> check_jacobian(CrossSection<1>&, const ShearLoad<1>&,
                                                 const ShearOptions&);
 template ShearFlow<2> regularised_problem(CrossSection<2>&, const ShearLoad<2>&,
                                           const ShearOptions&);
 template ShearSolution solve_shear(CrossSection<2>&, const ShearLoad<2>&, const ShearOptions&,
-                                   const solve::CompensatedVector*);
+                                   const ShearStart<2>*);
 template std::vector<NamedCheck> check_jacobian(CrossSection<2>&, const ShearLoad<2>&,
                                                 const ShearOptions&);
 

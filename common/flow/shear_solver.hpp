@@ -56,6 +56,15 @@ struct ShearSolution {
   }
 };
 
+/// Where Newton sets out.
+template <int Dim>
+struct ShearStart {
+  solve::CompensatedVector velocity;  ///< at the nodes
+  /// Of the velocity at the quadrature points, or of the one that it was interpolated from: the
+  /// primal-dual tangent carries their stress. None: that of the velocity.
+  std::vector<Eigen::Matrix<double, Dim, 1>> gradients = {};
+};
+
 /// The problem Newton solves; `space` must outlive it.
 template <int Dim>
 ShearFlow<Dim> regularised_problem(CrossSection<Dim>& space, const ShearLoad<Dim>& load,
@@ -65,8 +74,7 @@ ShearFlow<Dim> regularised_problem(CrossSection<Dim>& space, const ShearLoad<Dim
 /// a mesh may return numbers for a flow that does not exist.
 template <int Dim>
 ShearSolution solve_shear(CrossSection<Dim>& space, const ShearLoad<Dim>& load,
-                          const ShearOptions& options,
-                          const solve::CompensatedVector* start = nullptr);
+                          const ShearOptions& options, const ShearStart<Dim>* start = nullptr);
 
 /// A Jacobian check at a named state.
 struct NamedCheck {

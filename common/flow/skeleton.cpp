@@ -5,6 +5,7 @@
 
 #include <Eigen/CholmodSupport>
 #include <Eigen/SparseCore>
+#include <omp.h>
 
 namespace talus::flow {
 
@@ -118,6 +119,9 @@ void Skeleton<2>::add(std::size_t element, const Eigen::Matrix<double, 8, 8>& ma
 }
 
 bool Skeleton<2>::factor() {
+  // CHOLMOD asks for four threads, whatever OMP_NUM_THREADS says: for supernodes as small as these
+  // that costs more than the sums it shares out.
+  omp_set_max_active_levels(0);
   system_->cholesky.factorize(system_->matrix);
   return system_->cholesky.info() == Eigen::Success;
 }
