@@ -115,6 +115,12 @@ check_fails agrees_to_1e_8 "$(result wall_force)" "$drag"
 run_again "${flow[@]}" --resume  # all is done
 check expect_code 0
 check agrees_to_1e_8 "$(result drag)" "$drag"
+# The path may be gone on with in another way.
+run "${flow[@]}" --max-points 3
+check expect_code 1
+run_again "${flow[@]/arclength/primal-dual}" --resume
+check expect_code 0
+check agrees_to_1e_8 "$(result drag)" "$drag"
 # Or just before the last loading was written down: nothing is left to follow.
 LC_ALL=C sed -i '1s/"stage":"reached","sweep":\[[^]]*\]/"stage":"loading","sweep":[]/
 1s/\("loadings":\)\[[^]]*\]/\1[0.045]/' "$work/run/results/cylinder/checkpoint.bin"

@@ -190,7 +190,8 @@ int main(int argc, char** argv) {
   io::add_reals(app, "--confining-pressure", o.run.confining_pressures,
                 "p_ext in φρgD, for the Froude numbers", 0.01, 1000);
   app.add_option("--output", o.output, "Folder for the results")->capture_default_str();
-  app.add_flag("--resume", o.run.resume, "Go on from the last accepted state in the folder");
+  app.add_flag("--resume", o.run.resume,
+               "Go on from the last accepted state in the folder, with another --continuation too");
   app.add_flag("--plot", o.plot, "Draw the figures (data, gnuplot script, SVG and PNG)");
   return io::run_program(app, argc, argv, [&] {
     auto& mesh = o.run.scene.mesh;

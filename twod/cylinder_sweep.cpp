@@ -17,6 +17,12 @@ std::string file_of(std::size_t number) {
   return "flow_" + std::string(4 - std::min<std::size_t>(4, digits.size()), '0') + digits + ".vtu";
 }
 
+// What is solved, without how paths lead there: that may change from one run to the next.
+nlohmann::json without_ways(nlohmann::json parameters) {
+  for (const char* way : {"continuation", "route"}) parameters.erase(way);
+  return parameters;
+}
+
 }  // namespace
 
 CylinderSweep::CylinderSweep(const SweepOptions& options, const io::ResultFolder& folder)
@@ -93,7 +99,8 @@ bool CylinderSweep::resume() {
   auto checkpoint = program::read_checkpoint(file);
   if (!checkpoint) return true;
   const nlohmann::json& notes = checkpoint->notes;
-  if (notes.at("parameters") != parameters_)
+  const nlohmann::json& parameters = notes.at("parameters");
+  if (without_ways(parameters) != without_ways(parameters_))
     throw io::UserError("--resume: '" + file.string() +
                         "' belongs to a run with other options; give those, or another --output");
   for (const auto& each : notes.at("sweep")) {
@@ -113,12 +120,17 @@ bool CylinderSweep::resume() {
     cylinder_.flow().set_lambda_r(options_.scene.lambda_r);
   } else {
     has_start_ = true;
-    arrived = accept(
-        follows_lambda_r
-            ? follow_lambda_r(cylinder_, target, std::move(checkpoint->start),
-                              options_.continuation, path_options(), observer(stage, target))
-            : follow_loading(cylinder_, std::move(checkpoint->start), target, options_.continuation,
-                             path_options(), observer(stage, target)));
+    auto& start = checkpoint->start;
+    if (parameters.at("continuation") != parameters_.at("continuation"))  // its step and sense
+      start = {.state = std::move(start.state),
+               .parameter = start.parameter,
+               .direction = end > start.parameter ? 1 : -1};
+    arrived =
+        accept(follows_lambda_r
+                   ? follow_lambda_r(cylinder_, target, std::move(start), options_.continuation,
+                                     path_options(), observer(stage, target))
+                   : follow_loading(cylinder_, std::move(start), target, options_.continuation,
+                                    path_options(), observer(stage, target)));
   }
   if (arrived && stage != "reached" && reached() < options_.loadings.size() &&
       loading_ == options_.loadings[reached()])
