@@ -11,7 +11,7 @@
 //   heap --model 3d --elements 1x16x16 --angle 0.42
 //   heap --model 3d --elements 1x7x10 --flow-rate 39.71 --start section --plot
 //   heap --model 3d --elements 2x7x10 --start rest
-//   heap --model 3d --elements 2x7x10 --start section --outflow open
+//   heap --model 3d --elements 2x7x10 --outflow open
 //   heap --model 3d --elements 1x2x2 --lambda-r 1e-4 --check-jacobian
 #include <iostream>
 #include <optional>

@@ -101,17 +101,22 @@ struct Stage {
   solve::NewtonOptions newton;
 };
 
-// The problem and what leads to it: ever coarser ones if meshes are nested, the coarsest first.
+// The problem and, if it is nested, what leads to it: a developed outlet before an open one,
+// through which Newton from rest finds no flow, and ever coarser meshes, the coarsest first.
 std::vector<Stage> stages(const Heap& heap, const HeapMesh& mesh, const HeapOptions& options) {
   std::vector<Stage> all{{heap, mesh, options.newton}};
-  if (options.start == Start::nested)
-    while (const auto coarse = coarsened(heap, all.back().mesh)) {
-      Stage stage = all.back();
-      stage.mesh = *coarse;
-      stage.heap.lambda_r = twod::CoarserMesh::lambda_r_for(stage.heap.lambda_r);
-      stage.newton.tolerance = std::max(twod::CoarserMesh::tolerance, options.newton.tolerance);
-      all.push_back(stage);
-    }
+  if (options.start != Start::nested) return all;
+  if (heap.open_outlet != flow::Open::no) {
+    all.push_back(all.back());
+    all.back().heap.open_outlet = flow::Open::no;
+  }
+  while (const auto coarse = coarsened(heap, all.back().mesh)) {
+    Stage stage = all.back();
+    stage.mesh = *coarse;
+    stage.heap.lambda_r = twod::CoarserMesh::lambda_r_for(stage.heap.lambda_r);
+    stage.newton.tolerance = std::max(twod::CoarserMesh::tolerance, options.newton.tolerance);
+    all.push_back(stage);
+  }
   std::ranges::reverse(all);
   return all;
 }

@@ -8,7 +8,7 @@
 namespace talus::threed {
 
 /// Where Newton starts: at rest, coming down in λr; on ever finer meshes, each from the one before
-/// (the coarsest at rest); or from the extruded cross-section.
+/// (the coarsest at rest, an open outlet from a developed one); or from the extruded cross-section.
 enum class Start { rest, nested, section };
 
 /// The residual is of 1e-14, about round-off.

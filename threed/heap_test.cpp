@@ -103,6 +103,19 @@ BOOST_AUTO_TEST_CASE(nested_meshes_and_a_carried_stress_save_factorisations_of_t
   }
 }
 
+BOOST_AUTO_TEST_CASE(an_open_outlet_is_reached_by_way_of_a_developed_one) {
+  for (const flow::Open outlet : {flow::Open::viscous, flow::Open::all}) {
+    Heap heap = heap_at(0.41);
+    heap.open_outlet = outlet;
+    const HeapSolution solution = threed::solve(heap, small);
+    BOOST_TEST(solve::is_success(solution.middle.end));
+    BOOST_TEST(solution.meshes.size() == 2U);  // the same one twice
+    BOOST_TEST((solution.flow->heap().open_outlet == outlet));
+    BOOST_TEST(apart(solution, section_of(heap, small)) < 1e-10);
+    BOOST_TEST(!solve::is_success(threed::solve(heap, small, {.start = Start::rest}).middle.end));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_section_at_half_the_length_is_measured_as_the_cross_section_is) {
   for (const int along : {1, 2}) {
     const Heap heap = heap_at(0.41);
