@@ -1,0 +1,160 @@
+#include "threed/heap_options.hpp"
+
+#include <vector>
+
+#include "common/program/summary.hpp"
+
+namespace talus::threed {
+namespace {
+
+// Options that one of the models has no use for.
+void refuse_options_of_the_other_model(const CLI::App& app, ProgramOptions& options) {
+  const auto refuse = [&](const char* name, const std::string& allowed) {
+    if (app.count(name) > 0)
+      throw io::UserError(std::string(name) + ": '" + app.get_option(name)->as<std::string>() +
+                          "' is not for --model " + options.model + "; " + allowed);
+  };
+  if (!options.is_3d()) {
+    refuse("--outflow", "it takes --model 3d");
+    if (options.start == "section") refuse("--start", "rest and nested are");
+    if (options.method.method != "newton") refuse("--start", "it takes --method newton");
+    return;
+  }
+  if (options.method.method != "newton") refuse("--method", "only newton is");
+  options.method.method = "newton";
+  if (app.count("--start") == 0) options.start = "nested";
+  if (options.wall != "no-slip") refuse("--wall", "only no-slip is");
+  if (options.method.precision != "compensated") refuse("--precision", "only compensated is");
+  refuse("--line-search", "its own is on the residual");
+  refuse("--no-continuation", "it takes --model section");
+  if (options.method.tangent != "wrong-sign" || !options.check_jacobian)
+    refuse("--tangent", "only wrong-sign is, with --check-jacobian");
+}
+
+// "70x100": elements across and up; in three dimensions those along the stream before them.
+void read_elements(const CLI::App& app, ProgramOptions& options) {
+  constexpr long most_elements = 100000;  // of three dimensions: beyond, memory runs out
+  if (options.is_3d() && app.count("--elements") == 0) options.elements = "1x70x100";
+  auto& [along, section, length] = options.mesh;
+  std::vector<int*> counts{&section.across, &section.up};
+  if (options.is_3d()) counts.insert(counts.begin(), &along);
+  try {
+    std::string rest = options.elements;
+    for (int*& count : counts) {
+      const std::size_t cross = &count == &counts.back() ? rest.size() : rest.find('x');
+      if (cross == std::string::npos) throw io::UserError("too few");
+      *count = io::whole_in_range("--elements", rest.substr(0, cross), 1, 2000);
+      rest.erase(0, cross + 1);
+    }
+    if (options.is_3d() && 1L * along * section.across * section.up > most_elements)
+      throw io::UserError("too many");
+  } catch (const io::UserError&) {
+    throw io::UserError(
+        "--elements: '" + options.elements + "' is not " +
+        (options.is_3d() ? "ALONGxACROSSxUP, three whole numbers of 1 ... 2000, 100000 elements "
+                           "in all, such as 1x70x100"
+                         : "ACROSSxUP, two whole numbers of 1 ... 2000 such as 70x100"));
+  }
+}
+
+}  // namespace
+
+void add_options(CLI::App& app, ProgramOptions& options) {
+  options.method.method = "interior-point";
+  options.method.tangent = "primal-dual";
+  options.method.lambda_r = twod::default_options().lambda_r;
+  io::add_choice(app, "--model", options.model,
+                 "How much of the scene is modelled: its cross-section, or velocity and pressure "
+                 "in three dimensions (by Newton)",
+                 {"section", "3d"});
+  CLI::Option* angle =
+      io::add_real(app, "--angle", options.section.angle, "Inclination α, in radians", 1e-3, 1.57);
+  io::add_real(app, "--flow-rate", options.flow_rate,
+               "Find the angle with this flow rate Q* instead", 1e-6, 1e6)
+      ->default_str("")
+      ->excludes(angle);
+  io::add_choice(app, "--wall", options.wall,
+                 "Side wall: without slip, or with friction mu_2 p where it slips",
+                 {"no-slip", "friction"});
+  app.add_option("--elements", options.elements,
+                 "Elements ACROSSxUP of half the section; in 3d ALONGxACROSSxUP, default 1x70x100")
+      ->capture_default_str();
+  io::add_choice(
+      app, "--start", options.start,
+      "Where Newton starts: at rest, on ever finer meshes (default in 3d), or in 3d from "
+      "the section",
+      {"rest", "nested", "section"});
+  io::add_choice(app, "--outflow", options.outflow,
+                 "At the outlet in 3d: developed, or open with or without their pressure",
+                 {"fully-developed", "open-viscous", "open"});
+  io::add_real(app, "--grading-to-wall", options.mesh.section.grading_to_wall,
+               "Exponent of the mesh towards the side wall; 1 is uniform", 1, 10);
+  io::add_real(app, "--grading-to-surface", options.mesh.section.grading_to_surface,
+               "Exponent of the mesh towards the free surface; 1 is uniform", 1, 10);
+  io::add_real(app, "--width", options.section.width, "Width of the channel W, in d", 1e-3, 1e6);
+  io::add_real(app, "--height", options.section.height, "Depth H, in d", 1e-3, 1e6);
+  program::add_method_options(app, options.method);
+  app.add_option("--output", options.output, "Folder for the results")->capture_default_str();
+  app.add_flag("--plot", options.plot, "Draw the profiles (data, gnuplot script, SVG and PNG)");
+  app.add_flag("--check-jacobian", options.check_jacobian,
+               "Only compare the tangent with differences of the residual (take few elements)");
+}
+
+void interpret(const CLI::App& app, ProgramOptions& options) {
+  refuse_options_of_the_other_model(app, options);
+  read_elements(app, options);
+  options.section.law = program::friction_law(options.method);
+  options.section.wall = options.wall == "friction" ? twod::Wall::friction : twod::Wall::no_slip;
+}
+
+Heap heap_of(const ProgramOptions& options) {
+  Heap heap{options.section, *rheology::regularisation_named(options.method.regularisation),
+            options.method.lambda_r};
+  heap.open_outlet = options.outflow == "open"           ? flow::Open::all
+                     : options.outflow == "open-viscous" ? flow::Open::viscous
+                                                         : flow::Open::no;
+  return heap;
+}
+
+HeapOptions heap_options(const ProgramOptions& options) {
+  HeapOptions all;
+  all.start = options.start == "rest"     ? Start::rest
+              : options.start == "nested" ? Start::nested
+                                          : Start::section;
+  if (options.method.tolerance > 0) all.newton.tolerance = options.method.tolerance;
+  if (options.method.max_iterations > 0) all.newton.max_iterations = options.method.max_iterations;
+  return all;
+}
+
+flow::ShearOptions section_options(const ProgramOptions& options) {
+  return options.is_3d() ? section_options(heap_of(options), heap_options(options))
+                         : program::shear_options(options.method, twod::default_options());
+}
+
+twod::Start section_start(const ProgramOptions& options) {
+  return options.is_3d() || options.start == "nested" ? twod::Start::nested : twod::Start::rest;
+}
+
+nlohmann::json parameters(const ProgramOptions& options) {
+  const auto& [along, section, length] = options.mesh;
+  nlohmann::json all = {{"width", options.section.width},
+                        {"height", options.section.height},
+                        {"wall", options.wall},
+                        {"elements", {section.across, section.up}},
+                        {"grading_to_wall", section.grading_to_wall},
+                        {"grading_to_surface", section.grading_to_surface},
+                        {"friction", program::as_json(options.section.law)}};
+  if (options.method.method == "newton") all["start"] = options.start;
+  if (options.is_3d()) {
+    all["elements"] = {along, section.across, section.up};
+    all["outflow"] = options.outflow;
+  }
+  if (options.flow_rate > 0)
+    all["flow_rate"] = options.flow_rate;
+  else
+    all["angle"] = options.section.angle;
+  all.update(program::as_json(section_options(options)));
+  return all;
+}
+
+}  // namespace talus::threed

@@ -1,0 +1,42 @@
+// The options of the program `heap`, for both models.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "common/io/options.hpp"
+#include "common/program/method_options.hpp"
+#include "threed/heap_solve.hpp"
+#include "twod/section_nested.hpp"
+
+namespace talus::threed {
+
+struct ProgramOptions {
+  twod::Section section;
+  HeapMesh mesh;
+  program::MethodOptions method;
+  std::string model = "section", wall = "no-slip", elements = "70x100", output = "results/heap";
+  std::string start = "rest", outflow = "fully-developed";
+  double flow_rate = 0;  ///< 0: the angle is given instead
+  bool plot = false, check_jacobian = false;
+
+  bool is_3d() const { return model == "3d"; }
+};
+
+void add_options(CLI::App& app, ProgramOptions& options);
+
+/// What several options together mean: the mesh, the law, the wall, defaults of the model. Throws
+/// io::UserError for an option that the model has no use for, or for elements out of range.
+void interpret(const CLI::App& app, ProgramOptions& options);
+
+Heap heap_of(const ProgramOptions& options);
+HeapOptions heap_options(const ProgramOptions& options);
+flow::ShearOptions section_options(const ProgramOptions& options);
+/// In three dimensions the section is only wanted quickly.
+twod::Start section_start(const ProgramOptions& options);
+
+/// As summary.json has them.
+nlohmann::json parameters(const ProgramOptions& options);
+
+}  // namespace talus::threed
