@@ -5,8 +5,8 @@
 
 #include <Eigen/CholmodSupport>
 #include <Eigen/SparseCore>
-#include <omp.h>
 
+#include "common/solve/parallel.hpp"
 namespace talus::flow {
 
 Skeleton<1>::Skeleton(const Mesh<1>& mesh) : row_of_element_(mesh.elements.size()) {
@@ -69,6 +69,7 @@ Skeleton<2>::Skeleton(Skeleton&&) noexcept = default;
 Skeleton<2>& Skeleton<2>::operator=(Skeleton&&) noexcept = default;
 
 Skeleton<2>::Skeleton(const Mesh<2>& mesh) : system_(std::make_unique<System>()) {
+  solve::keep_libraries_on_one_thread();
   System& s = *system_;
   constexpr std::size_t middle = 4;
   std::vector<Eigen::Index> row(mesh.nodes.size(), System::none);
@@ -119,9 +120,6 @@ void Skeleton<2>::add(std::size_t element, const Eigen::Matrix<double, 8, 8>& ma
 }
 
 bool Skeleton<2>::factor() {
-  // CHOLMOD asks for four threads, whatever OMP_NUM_THREADS says: for supernodes as small as these
-  // that costs more than the sums it shares out.
-  omp_set_max_active_levels(0);
   system_->cholesky.factorize(system_->matrix);
   return system_->cholesky.info() == Eigen::Success;
 }
