@@ -28,9 +28,11 @@ std::vector<Family> families(const Context& context) {
       context.full ? std::vector{16, 24, 32, 40, 80, 160} : std::vector{16, 24, 32};
   const std::vector<int> full =
       context.full ? std::vector{16, 24, 32, 40, 80} : std::vector{16, 24};
+  // In thinner layers than these Newton from rest loses its way.
+  const std::vector<int> thin = context.full ? std::vector{16, 24, 32, 40} : full;
   const std::vector<int> few = context.full ? arounds : full;
   return {{"half", arounds},
-          {"thin first layer", few, 0.1},
+          {"thin first layer", thin, 0.1},
           {"full", full, 1, true},
           {"plain penalty, 1e-8", few, 1, false, {flow::Penalty::plain, 1e-8}}};
 }
@@ -78,6 +80,7 @@ void meshes(Chapter& chapter, const Context& context) {
   io::Table table{"Creep past the cylinder at F = 0.04, λr = 1e-6",
                   {"case", "around", "elements", "drag", "U", "factorisations", "CPU s"},
                   {}};
+  int not_found = 0;
   io::Curve traction;  // of the first family, drawn last: its colour is the drag's alone
   for (const Family& family : families(context)) {
     Errors errors(family.label);
@@ -88,6 +91,7 @@ void meshes(Chapter& chapter, const Context& context) {
       scene.penalty = family.penalty;
       const Creep creep = creep_at(scene, creep_loading);
       errors.add(creep);
+      not_found += std::isnan(creep.measures.drag) ? 1 : 0;
       table.rows.push_back({family.label, std::to_string(around), std::to_string(creep.elements),
                             io::rounded(creep.measures.drag, 6),
                             io::rounded(creep.measures.mean_velocity, 6),
@@ -102,6 +106,7 @@ void meshes(Chapter& chapter, const Context& context) {
     chapter.check("cylinder: order of the drag in the size of the elements",
                   fitted_order(sizes, errors.drag.y), 0.7, 1.3);
   }
+  chapter.check("cylinder: meshes on which creep was not found", not_found, 0, 0);
   drag.curves.push_back(traction);
   chapter.figure(
       {"cost_cylinder",
