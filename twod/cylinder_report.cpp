@@ -224,6 +224,7 @@ io::Figure drag_figure(const std::vector<CylinderMeasures>& sweep,
                        const std::vector<double>& confining_pressures) {
   io::Panel force{"Drag", "Fr = U/sqrt(gD)", "F_D/(p_{ext} D)", true, false, {}};
   io::Panel coefficient{"Drag coefficient", "Fr = U/sqrt(g(D+d))", "C_D", true, true, {}};
+  force.key = "top left";
   for (const double p : confining_pressures) {
     io::Curve drag{"p_{ext} = " + io::rounded(p), {}, {}}, c_d = drag;
     for (const CylinderMeasures& m : sweep) {
