@@ -19,7 +19,7 @@
 #include "common/flow/dense_jacobian.hpp"
 #include "common/program/summary.hpp"
 #include "common/solve/stopwatch.hpp"
-#include "threed/heap_options.hpp"
+#include "threed/heap_program.hpp"
 #include "threed/heap_report.hpp"
 #include "twod/flow_rate_search.hpp"
 #include "twod/section_report.hpp"

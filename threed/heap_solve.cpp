@@ -124,10 +124,8 @@ std::vector<Stage> stages(const Heap& heap, const HeapMesh& mesh, const HeapOpti
 }  // namespace
 
 flow::ShearOptions section_options(const Heap& heap, const HeapOptions& options) {
-  flow::ShearOptions section = twod::default_options();
-  section.method = flow::Method::newton;
+  flow::ShearOptions section = twod::newton_options(heap.lambda_r);
   section.regularisation = heap.regularisation;
-  section.lambda_r = heap.lambda_r;
   section.newton.tolerance = options.newton.tolerance;
   return section;
 }

@@ -75,6 +75,13 @@ flow::ShearOptions default_options() {
   return options;
 }
 
+flow::ShearOptions newton_options(double lambda_r) {
+  flow::ShearOptions options = default_options();
+  options.method = flow::Method::newton;
+  options.lambda_r = lambda_r;
+  return options;
+}
+
 SectionLines lines_of(const Section& section, const SectionMesh& mesh) {
   return {fem::graded_line(0, section.width / 2, mesh.across, mesh.grading_to_wall),
           fem::graded_line(0, section.height, mesh.up, mesh.grading_to_surface)};

@@ -45,6 +45,8 @@ struct SectionSolution : flow::ShearSolution {
 /// What suits the section: the interior point along the uniform path, to a relative gap of 1e-8;
 /// Newton at λr = 1e-5 from a rough solve at 1e-2, and from one every three decades if λr is less.
 flow::ShearOptions default_options();
+/// The same with Newton at this λr.
+flow::ShearOptions newton_options(double lambda_r);
 
 /// Boundaries of the elements along y, from the middle to the wall, and along z, upwards.
 struct SectionLines {

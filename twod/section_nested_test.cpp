@@ -10,13 +10,6 @@ using namespace talus::twod;
 
 namespace {
 
-flow::ShearOptions newton(double lambda_r) {
-  flow::ShearOptions options = default_options();
-  options.method = flow::Method::newton;
-  options.lambda_r = lambda_r;
-  return options;
-}
-
 // A velocity that quadratic elements hold exactly, without slip only at the bottom.
 double velocity(const Eigen::Vector2d& x) {
   return x[1] * (1 + 0.02 * x[0] - 0.01 * x[1]);
@@ -71,8 +64,8 @@ BOOST_AUTO_TEST_CASE(nested_meshes_lead_to_the_same_flow_in_fewer_iterations_of_
       Section section;
       section.wall = wall;
       auto space = space_of(section, mesh);
-      const auto rest = twod::solve(section, space, newton(lambda_r));
-      const auto nested = solve_nested(section, mesh, space, newton(lambda_r));
+      const auto rest = twod::solve(section, space, newton_options(lambda_r));
+      const auto nested = solve_nested(section, mesh, space, newton_options(lambda_r));
       BOOST_TEST((nested.end == solve::End::converged));
       BOOST_TEST(flow_rate(nested, space) == flow_rate(rest, space),
                  boost::test_tools::tolerance(1e-9));
@@ -88,7 +81,7 @@ BOOST_AUTO_TEST_CASE(where_the_coarser_mesh_fails_the_finer_one_starts_from_rest
   const SectionMesh mesh{18, 25};
   const Section section;
   auto space = space_of(section, mesh);
-  flow::ShearOptions options = newton(1e-5);
+  flow::ShearOptions options = newton_options(1e-5);
   options.continuation = flow::Continuation::never;
   options.newton.max_iterations = 1;
   const auto nested = solve_nested(section, mesh, space, options);
@@ -102,6 +95,6 @@ BOOST_AUTO_TEST_CASE(a_search_for_a_flow_rate_may_set_out_on_nested_meshes) {
   const Section section;
   auto space = space_of(section, {32, 32});
   const auto solution =
-      solve_for_flow_rate(39.71, section, {32, 32}, space, newton(1e-5), Start::nested);
+      solve_for_flow_rate(39.71, section, {32, 32}, space, newton_options(1e-5), Start::nested);
   BOOST_TEST(flow_rate(solution, space) == 39.71, boost::test_tools::tolerance(1e-8));
 }

@@ -12,13 +12,6 @@ using namespace talus::twod;
 
 namespace {
 
-flow::ShearOptions newton(double lambda_r) {
-  flow::ShearOptions options = default_options();
-  options.method = flow::Method::newton;
-  options.lambda_r = lambda_r;
-  return options;
-}
-
 constexpr Wall both_walls[] = {Wall::no_slip, Wall::friction};
 
 double rate(const SectionMesh& mesh, double angle, const flow::ShearOptions& options,
@@ -43,7 +36,7 @@ BOOST_AUTO_TEST_CASE(the_unregularised_flow_rate_is_that_of_another_solver) {
 BOOST_AUTO_TEST_CASE(the_paper_s_mesh_gives_the_reference_flow_rate_to_nine_digits) {
   Section section;
   auto space = space_of(section, {});
-  const auto solution = twod::solve(section, space, newton(1e-5));
+  const auto solution = twod::solve(section, space, newton_options(1e-5));
   BOOST_TEST((solution.end == solve::End::converged));
   BOOST_TEST(solution.newton.path.size() == 2U);  // a rough solve at λr = 1e-2 first
   BOOST_TEST(solution.iterations() <= 20);
@@ -66,7 +59,7 @@ BOOST_AUTO_TEST_CASE(newton_needs_few_iterations_at_every_angle_on_graded_meshes
           section.angle = angle;
           section.wall = wall;
           auto space = space_of(section, {14, 20, grading, grading});
-          const auto solution = twod::solve(section, space, newton(lambda_r));
+          const auto solution = twod::solve(section, space, newton_options(lambda_r));
           BOOST_TEST((solution.end == solve::End::converged));
           BOOST_TEST(solution.iterations() <= most, "grading " << grading << ", angle " << angle
                                                                << ", λr " << lambda_r << ": "
@@ -78,7 +71,7 @@ BOOST_AUTO_TEST_CASE(newton_s_own_tangent_from_rest_does_not_reach_what_the_prim
   Section section;
   section.angle = 0.5;
   auto space = space_of(section, {14, 20, 3, 3});
-  flow::ShearOptions plain = newton(1e-5);
+  flow::ShearOptions plain = newton_options(1e-5);
   plain.tangent_term = flow::TangentTerm::full;
   plain.continuation = flow::Continuation::never;
   const auto solution = twod::solve(section, space, plain);
@@ -103,7 +96,7 @@ BOOST_AUTO_TEST_CASE(the_wall_slips_only_where_its_stress_reaches_the_largest_fr
   section.wall = Wall::friction;
   const auto load = load_of(section);
   auto space = space_of(section, {14, 20});
-  for (const auto& options : {default_options(), newton(1e-8)}) {
+  for (const auto& options : {default_options(), newton_options(1e-8)}) {
     const auto solution = twod::solve(section, space, options);
     int slipping = 0, holding = 0;
     for (std::size_t k = 0; k < space.points().size(); ++k) {
@@ -153,8 +146,8 @@ BOOST_AUTO_TEST_CASE(the_depth_by_the_yield_criterion_bounds_what_flows) {
 BOOST_AUTO_TEST_CASE(the_error_of_the_regularisation_is_linear_in_lambda_r) {
   const SectionMesh mesh{14, 20};
   const double exact = rate(mesh, 0.42, default_options());
-  const double coarse = rate(mesh, 0.42, newton(1e-4)) - exact;
-  const double fine = rate(mesh, 0.42, newton(1e-5)) - exact;
+  const double coarse = rate(mesh, 0.42, newton_options(1e-4)) - exact;
+  const double fine = rate(mesh, 0.42, newton_options(1e-5)) - exact;
   BOOST_TEST(coarse > 0);
   BOOST_TEST(coarse / fine > 9);
   BOOST_TEST(coarse / fine < 11);
@@ -190,9 +183,9 @@ BOOST_AUTO_TEST_CASE(without_side_walls_it_is_bagnold_s_profile) {
 
 BOOST_AUTO_TEST_CASE(the_angle_found_for_a_flow_rate_carries_it) {
   // By bracket and Brent on the coarse mesh, by secants from a coarser one on the other.
-  for (const auto& [mesh, options] : {std::pair{SectionMesh{14, 20}, newton(1e-5)},
+  for (const auto& [mesh, options] : {std::pair{SectionMesh{14, 20}, newton_options(1e-5)},
                                       {{14, 20}, default_options()},
-                                      {{32, 32}, newton(1e-5)},
+                                      {{32, 32}, newton_options(1e-5)},
                                       {{32, 32}, default_options()}}) {
     Section section;
     auto space = space_of(section, mesh);
@@ -236,7 +229,7 @@ BOOST_AUTO_TEST_CASE(every_tangent_is_the_derivative_of_its_residual) {
     section.wall = wall;
     auto space = space_of(section, {2, 3});
     for (const auto& regularisation : rheology::regularisations()) {
-      flow::ShearOptions options = newton(1e-4);
+      flow::ShearOptions options = newton_options(1e-4);
       options.regularisation = regularisation;
       for (const auto& named : flow::check_jacobian(space, load_of(section), options))
         BOOST_TEST(named.check.passed(), rheology::name_of(regularisation) << ", " << named.state);
@@ -250,7 +243,7 @@ BOOST_AUTO_TEST_CASE(a_tangent_without_the_viscosity_s_derivative_is_caught) {
   Section section;
   auto space = space_of(section, {3, 4});
   for (const auto term : {flow::TangentTerm::frozen, flow::TangentTerm::wrong_sign}) {
-    flow::ShearOptions options = newton(1e-4);
+    flow::ShearOptions options = newton_options(1e-4);
     options.tangent_term = term;
     BOOST_TEST(!flow::check_jacobian(space, load_of(section), options).back().check.passed());
   }

@@ -23,13 +23,6 @@ constexpr double limit_rate = 82.495;
 // Limit of an augmented-Lagrangian solver, from outside.
 constexpr double outside_rate = 82.49, outside_uncertainty = 0.01;
 
-flow::ShearOptions newton(double lambda_r) {
-  flow::ShearOptions options = twod::default_options();
-  options.method = flow::Method::newton;
-  options.lambda_r = lambda_r;
-  return options;
-}
-
 struct Rate {
   double value = std::numeric_limits<double>::quiet_NaN();  // NaN where the solve fails
   int iterations = 0;
@@ -133,7 +126,7 @@ void lambda_error(Chapter& chapter) {
     if (!rheology::has_yield_stress(regularisation)) continue;
     io::Curve curve{rheology::name_of(regularisation), {}, {}};
     for (const double lambda_r : {1e-3, 1e-4, 1e-5, 1e-6}) {
-      flow::ShearOptions options = newton(lambda_r);
+      flow::ShearOptions options = twod::newton_options(lambda_r);
       options.regularisation = regularisation;
       curve.x.push_back(lambda_r);
       curve.y.push_back(rate(mesh, studied_angle, options).value / exact - 1);
@@ -159,8 +152,8 @@ void work(Chapter& chapter, const Context& context) {
     int most;  // factorisations allowed
   };
   const std::vector<Way> ways = {{"interior point, ", twod::default_options(), 60},
-                                 {"Newton, λr 1e-5, ", newton(1e-5), 30},
-                                 {"Newton, λr 1e-8, ", newton(1e-8), 60}};
+                                 {"Newton, λr 1e-5, ", twod::newton_options(1e-5), 30},
+                                 {"Newton, λr 1e-8, ", twod::newton_options(1e-8), 60}};
   const std::vector<SectionMesh> meshes = {context.full ? SectionMesh{} : SectionMesh{28, 40},
                                            {28, 40, 3, 3}};
   for (const SectionMesh& mesh : meshes)
@@ -201,7 +194,8 @@ void flow_rates(Chapter& chapter, const Context& context) {
   for (const double target : {14.85, 39.71, 88.72}) {
     Section section;
     auto space = twod::space_of(section, mesh);
-    const auto solution = twod::solve_for_flow_rate(target, section, mesh, space, newton(1e-5));
+    const auto solution =
+        twod::solve_for_flow_rate(target, section, mesh, space, twod::newton_options(1e-5));
     const auto surface = twod::surface_profile(solution, space);
     const std::string label = "Q* = " + io::rounded(target, 4);
     velocity.curves.push_back({label, surface.y, surface.velocity, io::Style::line});

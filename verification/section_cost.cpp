@@ -19,12 +19,8 @@ struct Method {
 std::vector<Method> methods() {
   std::vector<Method> methods = {{"interior point", twod::default_options()}};
   for (const auto& [label, lambda_r] :
-       {std::pair{"Newton, λr 1e-5", 1e-5}, {"Newton, λr 1e-8", 1e-8}}) {
-    flow::ShearOptions options = twod::default_options();
-    options.method = flow::Method::newton;
-    options.lambda_r = lambda_r;
-    methods.push_back({label, options});
-  }
+       {std::pair{"Newton, λr 1e-5", 1e-5}, {"Newton, λr 1e-8", 1e-8}})
+    methods.push_back({label, twod::newton_options(lambda_r)});
   return methods;
 }
 

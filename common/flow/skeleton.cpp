@@ -7,6 +7,7 @@
 #include <Eigen/SparseCore>
 
 #include "common/solve/parallel.hpp"
+
 namespace talus::flow {
 
 Skeleton<1>::Skeleton(const Mesh<1>& mesh) : row_of_element_(mesh.elements.size()) {

@@ -128,6 +128,7 @@ int SparseLu::determinant_sign() const {
 }
 
 double SparseLu::factor_entries() const {
+  if (!factors_->numeric) return 0;
   return factors_->info[UMFPACK_LNZ] + factors_->info[UMFPACK_UNZ];
 }
 

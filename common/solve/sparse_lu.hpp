@@ -28,7 +28,7 @@ class SparseLu {
   bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
   /// Sign of det A of the matrix last factored: -1, 0 or 1.
   int determinant_sign() const;
-  /// Stored entries of L and U.
+  /// Stored entries of L and U; 0 before the first factorisation.
   double factor_entries() const;
   /// How many solves cost as much as the last factorisation: counted in operations, so the same on
   /// every run.

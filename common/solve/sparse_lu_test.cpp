@@ -60,6 +60,7 @@ BOOST_AUTO_TEST_CASE(it_solves_what_dense_elimination_solves) {
   for (const int per_node : {1, 2, 3}) {
     const GridMatrix grid = grid_matrix(6, per_node, 1);
     SparseLu lu(grid.matrix, grid.node_of_row);
+    BOOST_TEST(lu.factor_entries() == 0);
     BOOST_REQUIRE(lu.factor(grid.matrix));
     BOOST_TEST(distance_to_dense_solution(lu, grid.matrix) < 1e-10);
     BOOST_TEST(lu.factor_entries() >= static_cast<double>(grid.matrix.nonZeros()));

@@ -1,4 +1,4 @@
-#include "threed/heap_options.hpp"
+#include "threed/heap_program.hpp"
 
 #include <vector>
 
