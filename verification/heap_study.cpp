@@ -146,6 +146,7 @@ void lambda_error(Chapter& chapter) {
 // Work from rest over the angles.
 void work(Chapter& chapter, const Context& context) {
   io::Panel panel{"from rest", "α", "factorisations", false, false, {}};
+  panel.key = "below maxcols 2";
   struct Way {
     std::string label;
     flow::ShearOptions options;

@@ -134,11 +134,10 @@ std::vector<double> swept_lambda_r() {
 }
 
 void add_maps(Chapter& chapter, const Context& context) {
-  io::Table table{"How the cells of the maps end",
-                  {"scene", "variant", "cells", "converged", "at_round_off_floor", "stagnated",
-                   "line_search_failed", "linear_solver_failed", "non_finite", "no_steady_state",
-                   "most iterations", "largest |w - w(reference)| / λr"},
-                  {}};
+  io::Table table{
+      "How the cells of the maps end",
+      {"scene", "variant", "cells", "ends", "most iterations", "largest |w - w(reference)| / λr"},
+      {}};
   const auto scenes = oned::scenes();
   std::size_t done = 0;
   for (const auto& scene : scenes) {
@@ -164,17 +163,15 @@ void add_maps(Chapter& chapter, const Context& context) {
       (recommended ? ours : less)
           .panels.push_back(
               {scene.name + ": " + method.label, "elements", "λr", false, false, {}, result.map});
-      std::vector<std::string> row = {scene.name, method.label, std::to_string(result.cells)};
+      std::string ends;
       int successes = 0;
-      for (const solve::End end : solve::all_ends) {
-        const auto found = result.ends.find(end);
-        const int count = found == result.ends.end() ? 0 : found->second;
+      for (const auto& [end, count] : result.ends) {
         if (solve::is_success(end)) successes += count;
-        row.push_back(std::to_string(count));
+        ends += (ends.empty() ? "" : ", ") + solve::name_of(end) + " " + std::to_string(count);
       }
-      row.push_back(std::to_string(result.most_iterations));
-      row.push_back(io::rounded(result.largest_distance, 3));
-      table.rows.push_back(row);
+      table.rows.push_back({scene.name, method.label, std::to_string(result.cells), ends,
+                            std::to_string(result.most_iterations),
+                            io::rounded(result.largest_distance, 3)});
       if (recommended) {
         const std::string label = scene.name + ", " + method.label;
         chapter.check(label + ": cells of the map without success", result.cells - successes, 0, 0);

@@ -87,7 +87,8 @@ std::string panel_script(const Panel& panel, const std::string& data, std::size_
               "graph 1,1 fc rgb '#dddddd' behind\n";
     script += "plot " + data + " index " + std::to_string(block) +
               " using 1:2:3 with image pixels, " + data + " index " + std::to_string(block) +
-              " using 1:2:4 with labels font ',11' tc rgb '#d55e00'\n";
+              " using 1:2:4:($3 > " + exact(map.largest / 2) +
+              " ? 0xffffff : 0xd55e00) with labels font ',11' tc rgb variable\n";
     ++block;
     return script;
   }

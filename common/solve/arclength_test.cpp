@@ -192,6 +192,21 @@ BOOST_AUTO_TEST_CASE(natural_continuation_lands_on_a_target_before_the_fold) {
   BOOST_TEST(corrections[1] < corrections[0]);
 }
 
+BOOST_AUTO_TEST_CASE(a_start_that_needs_no_correction_is_no_fold) {
+  // Nothing is factored there: the sign of det J is the one the start brings along, if any.
+  for (const int reference_sign : {0, 1, -1}) {
+    SmallProblem problem = cubic();
+    auto start = cubic_start();
+    start.reference_sign = reference_sign;
+    const auto path = follow_natural(problem, start, Predictor::secant, {.target = -2});
+    BOOST_CHECK(path.end == PathEnd::target_reached);
+    BOOST_TEST(path.points.front().corrections == 0);
+    BOOST_TEST(path.points.front().determinant_sign == reference_sign);
+    BOOST_TEST(path.points[1].is_fold_passed == (reference_sign == -1));
+    for (std::size_t i = 2; i < path.points.size(); ++i) BOOST_TEST(!path.points[i].is_fold_passed);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(arclength_goes_on_from_where_natural_continuation_stopped) {
   SmallProblem problem = cubic();
   const auto stuck = follow_natural(problem, cubic_start(), Predictor::tangent, {.target = 18});

@@ -14,14 +14,14 @@ enum class Predictor { constant, secant, tangent };
 /// Follows the path from `start` in its direction, Δs = S Δσ. A step is refused if Newton fails or
 /// moves the state by more than `largest_step`: a jump to another branch. The problem is left at
 /// the last accepted point, `Path::next`. A determinant's sign is that of Newton's last
-/// factorisation, or of the predictor's.
+/// factorisation, or of the predictor's; before there is any, the reference sign of the start.
 template <PathProblem P>
 Path<typename P::State> follow_natural(P& problem, PathStart<typename P::State> start,
                                        Predictor predictor, const PathOptions& options = {},
                                        const PathObserver<typename P::State>& observe = {}) {
   using State = typename P::State;
   Path<State> path{.next = std::move(start)};
-  auto& [state, parameter, direction, step, unused, secant] = path.next;
+  auto& [state, parameter, direction, step, known_sign, secant] = path.next;
   step = std::min(step, options.largest_step);
 
   // The state changes by `derivative` a unit of the parameter; false if J is singular.
@@ -33,12 +33,13 @@ Path<typename P::State> follow_natural(P& problem, PathStart<typename P::State> 
     return problem.linear_solve(-problem.parameter_derivative(), derivative.emplace());
   };
   const auto accepted = [&](double travelled, const NewtonSummary& newton) {
+    const int sign = problem.determinant_sign();
     return accept<State>(path,
                          {.parameter = parameter,
                           .parameter_slope = direction * options.parameter_scale,
                           .step = travelled,
                           .corrections = newton.iterations(),
-                          .determinant_sign = problem.determinant_sign(),
+                          .determinant_sign = sign == 0 ? known_sign : sign,
                           .residual = newton.final_residual()},
                          options, observe);
   };

@@ -55,11 +55,11 @@ struct PathPoint {
   double parameter = 0;
   double parameter_slope = 0;  ///< ds/dσ; natural continuation: S in its direction
   double step = 0;             ///< Δσ along the tangent of the last point; 0 at the start
-  double cosine = 1;    ///< of this tangent to the last one, in the last point's weights; < 0:
-                        ///< sharper than the step resolves, or oriented wrongly
-  int corrections = 0;  ///< Newton iterations of the accepted step
-  PathCost cost = {};   ///< since the last point
-  int determinant_sign = 0;
+  double cosine = 1;         ///< of this tangent to the last one, in the last point's weights; < 0:
+                             ///< sharper than the step resolves, or oriented wrongly
+  int corrections = 0;       ///< Newton iterations of the accepted step
+  PathCost cost = {};        ///< since the last point
+  int determinant_sign = 0;  ///< of J; 0: not known
   bool is_fold_passed = false;           ///< det J changed its sign since the last point
   double residual = 0;                   ///< relative
   std::vector<double> observation = {};  ///< left to the observer
@@ -135,7 +135,7 @@ std::optional<PathEnd> accept(Path<State>& path, PathPoint point, const PathOpti
                               const PathObserver<State>& observe) {
   point.cost = std::exchange(path.pending, {});
   point.is_fold_passed =
-      !path.points.empty() && point.determinant_sign != path.points.back().determinant_sign;
+      !path.points.empty() && point.determinant_sign * path.points.back().determinant_sign < 0;
   const bool goes_on = !observe || observe(path.next.state, point);
   path.points.push_back(std::move(point));
   const double s = path.points.back().parameter;
