@@ -26,7 +26,7 @@ const std::vector<std::string> header = {"flow",   "law", "inertia",    "meshes"
 
 template <int Dim>
 std::string label_of(const ManufacturedCase<Dim>& each, const MeshFamily<Dim>& family) {
-  return each.exact.name + ", " + rheology::name_of(each.regularisation) +
+  return (Dim == 3 ? "3D " : "") + each.exact.name + ", " + rheology::name_of(each.regularisation) +
          (each.inertia > 0 ? ", inertia, " : ", ") + family.name;
 }
 
@@ -40,6 +40,33 @@ std::vector<std::string> row_of(const ManufacturedCase<Dim>& each, const MeshFam
   row.push_back(io::rounded(measured.errors.back().velocity, 3));
   row.push_back(io::rounded(measured.errors.back().pressure, 3));
   return row;
+}
+
+// A row of the table and a check for each norm.
+template <int Dim>
+MeasuredOrders check_orders(Chapter& chapter, io::Table& table, const ManufacturedCase<Dim>& each,
+                            const MeshFamily<Dim>& family) {
+  const MeasuredOrders measured = measure_orders(each, family);
+  table.rows.push_back(row_of(each, family, measured));
+  for (const FlowNorm& norm : flow_norms)
+    chapter.check(label_of(each, family) + ": order of " + norm.name,
+                  measured.order(norm.error, family.sizes.size()), norm.order - order_tolerance,
+                  norm.order + order_tolerance);
+  return measured;
+}
+
+// Negative control: with the pressure mapped from the reference element its order must be lost.
+template <int Dim>
+MeasuredOrders check_mapped_pressure(Chapter& chapter, io::Table& table, ManufacturedCase<Dim> each,
+                                     const MeshFamily<Dim>& family, double lowest, double highest) {
+  each.pressure_basis = flow::PressureBasis::mapped;
+  const MeasuredOrders lost = measure_orders(each, family);
+  auto row = row_of(each, family, lost);
+  row[3] += ", mapped pressure";
+  table.rows.push_back(row);
+  chapter.check(label_of(each, family) + ", mapped pressure: order of p is lost",
+                lost.order(&FlowErrors::pressure, family.sizes.size()), lowest, highest);
+  return lost;
 }
 
 void add_curves(io::Figure& figure, std::size_t first_panel, const std::string& label,
@@ -79,9 +106,46 @@ std::string errors_at_large_inertial_numbers(const MeshFamily<2>& family) {
   return errors;
 }
 
+// Every family of meshes, with the figure of the paper's own law.
+void two_dimensions(Chapter& chapter, const std::vector<MeshFamily<2>>& families,
+                    const Context& context) {
+  io::Table table{
+      "Velocity-pressure flow: fitted orders (3, 2, 2) and errors on the finest mesh", header, {}};
+  io::Figure figure{"orders_manufactured",
+                    "Errors of manufactured flows under eq. (12) against element size. With the "
+                    "pressure mapped from the reference element the order of p is lost where "
+                    "elements stay distorted, and with it that of u.",
+                    {},
+                    static_cast<int>(flow_norms.size())};
+  for (const auto& exact : flow::manufactured_flows<2>()) {
+    const std::size_t first_panel = figure.panels.size();
+    for (const FlowNorm& norm : flow_norms) {
+      io::Panel panel{exact.name + ": " + norm.name, "h", "error", true, true, {}};
+      panel.key = "bottom right";
+      figure.panels.push_back(panel);
+    }
+    for (const auto& family : families)
+      for (const auto& law : rheology::regularisations())
+        for (const double inertia : {0.0, 1.0}) {
+          if (!is_measured(context, law, inertia, family)) continue;
+          const auto measured = check_orders<2>(chapter, table, {exact, law, inertia}, family);
+          if (inertia == 0 && std::holds_alternative<rheology::ChauchatMedale>(law))
+            add_curves(figure, first_panel, family.name, measured);
+        }
+    const auto lost =
+        check_mapped_pressure<2>(chapter, table, {exact, rheology::ChauchatMedale{}}, families[2],
+                                 1 - order_tolerance, 1 + order_tolerance);
+    add_curves(figure, first_panel, families[2].name + ", mapped pressure", lost);
+    add_guides(figure, first_panel);
+  }
+  chapter.figure(std::move(figure));
+  chapter.table(std::move(table));
+}
+
 // Distorted hexahedra, with inertia. A quick study has the finest mesh under the paper's own law
 // only, and the other laws in one of the flows.
-void three_dimensions(Chapter& chapter, io::Table& table, const Context& context) {
+void three_dimensions(Chapter& chapter, const Context& context) {
+  io::Table table{"The same in three dimensions, H27/P1", header, {}};
   const auto& flows = flow::manufactured_flows<3>();
   for (const auto& exact : flows)
     for (const auto& law : rheology::regularisations()) {
@@ -91,25 +155,11 @@ void three_dimensions(Chapter& chapter, io::Table& table, const Context& context
       std::vector<int> sizes = {2, 4, 6};
       if (context.full || (own_law && last_flow)) sizes.push_back(8);
       if (context.full) sizes.push_back(12);
-      const MeshFamily<3> family = brick_family(sizes);
-      const ManufacturedCase<3> each{exact, law, 1};
-      const MeasuredOrders measured = measure_orders(each, family);
-      table.rows.push_back(row_of(each, family, measured));
-      for (const FlowNorm& norm : flow_norms)
-        chapter.check("3D " + label_of(each, family) + ": order of " + norm.name,
-                      measured.order(norm.error, sizes.size()), norm.order - order_tolerance,
-                      norm.order + order_tolerance);
+      check_orders<3>(chapter, table, {exact, law, 1}, brick_family(sizes));
     }
-  // Negative control.
-  const MeshFamily<3> family = brick_family({2, 4, 6});
-  const ManufacturedCase<3> mapped{flows.back(), rheology::ChauchatMedale{}, 1,
-                                   flow::PressureBasis::mapped};
-  const MeasuredOrders lost = measure_orders(mapped, family);
-  auto row = row_of(mapped, family, lost);
-  row[3] += ", mapped pressure";
-  table.rows.push_back(row);
-  chapter.check("3D " + label_of(mapped, family) + ", mapped pressure: order of p",
-                lost.order(&FlowErrors::pressure, 3), 0.5, 2 - 2 * order_tolerance);
+  check_mapped_pressure<3>(chapter, table, {flows.back(), rheology::ChauchatMedale{}, 1},
+                           brick_family({2, 4, 6}), 0.5, 2 - 2 * order_tolerance);
+  chapter.table(std::move(table));
 }
 
 }  // namespace
@@ -118,58 +168,8 @@ void manufactured_orders(Chapter& chapter, const Context& context) {
   std::vector<int> sizes = {8, 12, 18, 27};
   if (context.full) sizes.push_back(40);
   const auto families = mesh_families(sizes);
-  const auto& flows = flow::manufactured_flows<2>();
-  io::Table table{
-      "Velocity-pressure flow: fitted orders (3, 2, 2) and errors on the finest mesh", header, {}};
-  io::Figure figure{"orders_manufactured",
-                    "Errors of manufactured flows under eq. (12) against element size. With the "
-                    "pressure mapped from the reference element the order of p is lost where "
-                    "elements stay distorted, and with it that of u.",
-                    {},
-                    static_cast<int>(flow_norms.size())};
-  for (const auto& exact : flows) {
-    const std::size_t first_panel = figure.panels.size();
-    for (const FlowNorm& norm : flow_norms)
-      figure.panels.push_back({exact.name + ": " + norm.name,
-                               "h",
-                               "error",
-                               true,
-                               true,
-                               {},
-                               std::nullopt,
-                               "bottom right"});
-    for (const auto& family : families)
-      for (const auto& law : rheology::regularisations())
-        for (const double inertia : {0.0, 1.0}) {
-          if (!is_measured(context, law, inertia, family)) continue;
-          const ManufacturedCase<2> each{exact, law, inertia};
-          const MeasuredOrders measured = measure_orders(each, family);
-          table.rows.push_back(row_of(each, family, measured));
-          for (const FlowNorm& norm : flow_norms)
-            chapter.check(label_of(each, family) + ": order of " + norm.name,
-                          measured.order(norm.error, sizes.size()), norm.order - order_tolerance,
-                          norm.order + order_tolerance);
-          if (inertia == 0 && std::holds_alternative<rheology::ChauchatMedale>(law))
-            add_curves(figure, first_panel, family.name, measured);
-        }
-    // Negative control, on the distorted family.
-    const ManufacturedCase<2> mapped{exact, rheology::ChauchatMedale{}, 0,
-                                     flow::PressureBasis::mapped};
-    const MeasuredOrders lost = measure_orders(mapped, families[2]);
-    auto row = row_of(mapped, families[2], lost);
-    row[3] += ", mapped pressure";
-    table.rows.push_back(row);
-    add_curves(figure, first_panel, "distorted, mapped pressure", lost);
-    chapter.check(label_of(mapped, families[2]) + ", mapped pressure: order of p falls to 1",
-                  lost.order(&FlowErrors::pressure, sizes.size()), 1 - order_tolerance,
-                  1 + order_tolerance);
-    add_guides(figure, first_panel);
-  }
-  chapter.figure(std::move(figure));
-  chapter.table(std::move(table));
-  io::Table in_space{"The same in three dimensions, H27/P1", header, {}};
-  three_dimensions(chapter, in_space, context);
-  chapter.table(std::move(in_space));
+  two_dimensions(chapter, families, context);
+  three_dimensions(chapter, context);
   chapter.text(
       "Velocity and pressure are prescribed as smooth functions, and the body force that makes "
       "them a solution follows from automatic differentiation; one side carries the exact "
