@@ -6,7 +6,7 @@
 #include <Eigen/CholmodSupport>
 #include <Eigen/SparseCore>
 
-#include "common/solve/parallel.hpp"
+#include "common/solve/sparse_libraries.hpp"
 
 namespace talus::flow {
 
@@ -70,7 +70,7 @@ Skeleton<2>::Skeleton(Skeleton&&) noexcept = default;
 Skeleton<2>& Skeleton<2>::operator=(Skeleton&&) noexcept = default;
 
 Skeleton<2>::Skeleton(const Mesh<2>& mesh) : system_(std::make_unique<System>()) {
-  solve::keep_libraries_on_one_thread();
+  solve::prepare_sparse_libraries();
   System& s = *system_;
   constexpr std::size_t middle = 4;
   std::vector<Eigen::Index> row(mesh.nodes.size(), System::none);

@@ -12,11 +12,6 @@ namespace talus::solve {
 int threads();
 void set_threads(int count);
 
-/// Keeps what the sparse factorisations call, OpenBLAS and OpenMP, on the calling thread. CHOLMOD
-/// asks for four threads whatever OMP_NUM_THREADS says, OpenBLAS for all there are: for blocks as
-/// small as these they cost more than they share out, and idle ones burn a core waiting.
-void keep_libraries_on_one_thread();
-
 /// Calls body(i) for every i in [first, last), in equal runs of at least `least` on as many threads
 /// as there are. What body throws is thrown here.
 template <class Body>

@@ -6,11 +6,6 @@
 #include <thread>
 
 #include <boost/test/unit_test.hpp>
-#include <omp.h>
-
-// Of OpenBLAS; null with any other BLAS.
-extern "C" __attribute__((weak)) int openblas_get_num_threads();
-extern "C" __attribute__((weak)) void openblas_set_num_threads(int);
 
 using namespace talus::solve;
 
@@ -66,12 +61,4 @@ BOOST_AUTO_TEST_CASE(what_a_thread_throws_arrives) {
 BOOST_AUTO_TEST_CASE(there_is_always_one_thread) {
   const Threads threads(0);
   BOOST_TEST(talus::solve::threads() == 1);
-}
-
-BOOST_AUTO_TEST_CASE(libraries_stay_on_one_thread_once_told_to) {
-  if (openblas_set_num_threads) openblas_set_num_threads(2);
-  omp_set_max_active_levels(1);
-  keep_libraries_on_one_thread();
-  BOOST_TEST(omp_get_max_active_levels() == 0);  // no parallel region is active, all run as one
-  if (openblas_get_num_threads) BOOST_TEST(openblas_get_num_threads() == 1);
 }

@@ -8,7 +8,7 @@
 #include <cholmod.h>
 #include <umfpack.h>
 
-#include "common/solve/parallel.hpp"
+#include "common/solve/sparse_libraries.hpp"
 
 namespace talus::solve {
 namespace {
@@ -81,7 +81,7 @@ SparseLu& SparseLu::operator=(SparseLu&&) noexcept = default;
 
 SparseLu::SparseLu(const Matrix& pattern, const std::vector<int>& node_of_row)
     : factors_(std::make_unique<Factors>()) {
-  keep_libraries_on_one_thread();
+  prepare_sparse_libraries();
   const int nodes = node_of_row.empty() ? 0 : *std::ranges::max_element(node_of_row) + 1;
   std::vector<std::vector<int>> rows_of(static_cast<std::size_t>(nodes));
   for (std::size_t row = 0; row < node_of_row.size(); ++row)
