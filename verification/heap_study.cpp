@@ -145,21 +145,22 @@ void lambda_error(Chapter& chapter) {
 
 // Work from rest over the angles.
 void work(Chapter& chapter, const Context& context) {
-  io::Panel panel{"from rest", "α", "factorisations", false, false, {}};
-  panel.key = "below maxcols 2";
+  io::Figure figure{"heap_work", "Factorisations from rest over the inclination.", {}, 2};
   struct Way {
     std::string label;
     flow::ShearOptions options;
     int most;  // factorisations allowed
   };
-  const std::vector<Way> ways = {{"interior point, ", twod::default_options(), 60},
-                                 {"Newton, λr 1e-5, ", twod::newton_options(1e-5), 30},
-                                 {"Newton, λr 1e-8, ", twod::newton_options(1e-8), 60}};
+  const std::vector<Way> ways = {{"interior point", twod::default_options(), 60},
+                                 {"Newton, λr 1e-5", twod::newton_options(1e-5), 30},
+                                 {"Newton, λr 1e-8", twod::newton_options(1e-8), 60}};
   const std::vector<SectionMesh> meshes = {context.full ? SectionMesh{} : SectionMesh{28, 40},
                                            {28, 40, 3, 3}};
-  for (const SectionMesh& mesh : meshes)
+  for (const SectionMesh& mesh : meshes) {
+    io::Panel panel{name_of(mesh), "α", "factorisations", false, false, {}};
+    panel.key = "above horizontal";
     for (const Way& way : ways) {
-      io::Curve curve{way.label + name_of(mesh), {}, {}};
+      io::Curve curve{way.label, {}, {}};
       int failures = 0, most = 0;
       for (double angle = 0.37; angle < 0.505; angle += context.full ? 0.01 : 0.026) {
         const Rate found = rate(mesh, angle, way.options);
@@ -172,10 +173,13 @@ void work(Chapter& chapter, const Context& context) {
         curve.y.push_back(found.iterations);
       }
       panel.curves.push_back(curve);
-      chapter.check(curve.label + ": angles that fail", failures, 0, 0);
-      chapter.check(curve.label + ": most factorisations", most, 1, way.most);
+      const std::string label = way.label + ", " + name_of(mesh);
+      chapter.check(label + ": angles that fail", failures, 0, 0);
+      chapter.check(label + ": most factorisations", most, 1, way.most);
     }
-  chapter.figure({"heap_work", "Factorisations from rest over the inclination.", {panel}, 1});
+    figure.panels.push_back(panel);
+  }
+  chapter.figure(figure);
 }
 
 // The paper's three flow rates.
