@@ -19,6 +19,7 @@ for program in "$chute" "$bagnold"; do
   check refuses --lambda-r "'0'" 1e-15 -- "$program" --lambda-r 0
   check refuses --lambda-r "'nan'" 1e-15 -- "$program" --lambda-r nan
   check refuses --grading "'0.5'" "1 ... 10" -- "$program" --grading 0.5
+  check refuses --grading "'10'" "1 ... 7.00" -- "$program" --elements 100 --grading 10
   check refuses --regularisation "'foo'" papanastasiou -- "$program" --regularisation foo
   check refuses --method "'foo'" interior-point -- "$program" --method foo
   check refuses --friction "'1,2'" "0.001 ... 10" -- "$program" --friction 1,2

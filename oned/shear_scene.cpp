@@ -3,6 +3,7 @@
 #include "common/fem/line_mesh.hpp"
 #include "common/io/result_folder.hpp"
 #include "common/io/table.hpp"
+#include "common/program/grading.hpp"
 
 namespace talus::oned {
 
@@ -13,6 +14,7 @@ std::string rest_limit(const rheology::Rheology& limit, const std::string& load,
 }
 
 std::vector<double> boundaries(const ShearScene& scene, const MeshOptions& mesh) {
+  program::check_grading("--grading", mesh.grading, mesh.elements);
   if (!mesh.align) return fem::graded_line(0, scene.length, mesh.elements, mesh.grading);
   if (!scene.kink)
     throw io::UserError(

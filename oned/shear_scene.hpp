@@ -74,7 +74,8 @@ struct ShearScene {
 /// "at rest for " and the bound, or that nothing ever is, for the start of ShearScene::limits.
 std::string rest_limit(const rheology::Rheology& limit, const std::string& load, double bound);
 
-/// Element boundaries of `scene`. Throws io::UserError if its kink cannot be placed.
+/// Element boundaries of `scene`. Throws io::UserError if its kink cannot be placed, or if the
+/// narrowest element has no width (program::check_grading).
 std::vector<double> boundaries(const ShearScene& scene, const MeshOptions& mesh);
 
 }  // namespace talus::oned

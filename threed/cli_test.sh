@@ -53,6 +53,9 @@ for value in 7x10 1x7x 1x0x5 0x7x10 1x2x3x4 50x50x50; do
   check refuses --elements "'$value'" ALONGxACROSSxUP -- "$heap" --model 3d --elements "$value"
 done
 check refuses --angle "'2'" 1.57 -- "$heap" --angle 2
+check refuses --grading-to-wall "'9'" "1 ... 8.73" -- "$heap" --elements 40x10 --grading-to-wall 9
+check refuses --grading-to-surface "'9'" "1 ... 8.73" -- \
+  "$heap" --model 3d --elements 1x4x40 --grading-to-surface 9
 check refuses --flow-rate "'-1'" -- "$heap" --flow-rate -1
 check refuses --angle --flow-rate -- "$heap" --angle 0.4 --flow-rate 10
 check refuses --model "'4d'" section 3d -- "$heap" --model 4d

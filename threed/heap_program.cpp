@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "common/program/grading.hpp"
 #include "common/program/summary.hpp"
 
 namespace talus::threed {
@@ -103,6 +104,9 @@ void add_options(CLI::App& app, ProgramOptions& options) {
 void interpret(const CLI::App& app, ProgramOptions& options) {
   refuse_options_of_the_other_model(app, options);
   read_elements(app, options);
+  const auto& section = options.mesh.section;
+  program::check_grading("--grading-to-wall", section.grading_to_wall, section.across);
+  program::check_grading("--grading-to-surface", section.grading_to_surface, section.up);
   options.section.law = program::friction_law(options.method);
   options.section.wall = options.wall == "friction" ? twod::Wall::friction : twod::Wall::no_slip;
 }

@@ -39,6 +39,7 @@ bool CylinderSweep::run() {
     const double target = options_.loadings[reached()];
     if (state_.size() == 0 || options_.route == Route::lambda_r) {
       const double first = options_.route == Route::lambda_r ? target : first_loading();
+      progress_.show("F = " + io::rounded(first, 6) + ": from rest", share_reached());
       if (!accept(solve_from_rest(cylinder_, first, options_.continuation, path_options(),
                                   observer("lambda_r", first))))
         return false;
@@ -58,6 +59,10 @@ int CylinderSweep::folds() const {
       records_, [](const PathRecord& record) { return record.point.is_fold_passed; }));
 }
 
+double CylinderSweep::share_reached() const {
+  return static_cast<double>(reached()) / static_cast<double>(options_.loadings.size());
+}
+
 // Where the cylinder holds everything a path in λr has nothing to pass.
 double CylinderSweep::first_loading() const {
   return std::min(options_.loadings.front(), held_loading(options_.scene));
@@ -75,7 +80,7 @@ CylinderObserver CylinderSweep::observer(const std::string& stage, double target
     progress_.show("F = " + io::rounded(measures.loading, 6) +
                        ", λr = " + io::rounded(measures.lambda_r, 3) +
                        ", U = " + io::rounded(measures.mean_velocity, 4),
-                   static_cast<double>(reached()) / static_cast<double>(options_.loadings.size()));
+                   share_reached());
     save(stage, target, program::start_from(state, point));
     return true;
   };

@@ -47,6 +47,7 @@ class CylinderSweep {
 
  private:
   std::size_t reached() const { return sweep_.size(); }
+  double share_reached() const;
   double first_loading() const;
   solve::PathOptions path_options() const;
   CylinderObserver observer(const std::string& stage, double target);

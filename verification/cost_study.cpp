@@ -258,13 +258,11 @@ Chapter cost_study(const Context& context) {
     for (const NamedMethod& method : methods) {
       const oned::ShearScene own = scene_for(scene, method);
       for (const auto& order_case : own.order_cases)
-        for (const int elements : doubled_elements(context.full ? 10240 : 2560)) {
-          oned::MeshOptions mesh = order_case.mesh;
-          mesh.elements = elements;
+        for (const auto& mesh : doubled_meshes(order_case.mesh, context.full ? 10240 : 2560)) {
           const auto solution = timed(own, oned::boundaries(own, mesh), method.options);
           failures += solve::is_success(solution.end) ? 0 : 1;
           (has_yield_stress(method) ? runs : control_runs)
-              .push_back({method.label, order_case.name, elements, solution.iterations(),
+              .push_back({method.label, order_case.name, mesh.elements, solution.iterations(),
                           solution.seconds, oned::errors(solution, own).l2});
         }
       context.progress(0.7 * static_cast<double>(++done) /

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "common/fem/line_mesh.hpp"
 #include "common/io/table.hpp"
 
 namespace talus::verification {
@@ -52,6 +53,16 @@ std::vector<int> doubled_elements(int largest) {
   std::vector<int> elements;
   for (int n = 5; n <= largest; n *= 2) elements.push_back(n);
   return elements;
+}
+
+std::vector<oned::MeshOptions> doubled_meshes(oned::MeshOptions mesh, int largest) {
+  std::vector<oned::MeshOptions> meshes;
+  for (const int n : doubled_elements(largest)) {
+    if (mesh.grading > fem::largest_grading(n)) break;
+    mesh.elements = n;
+    meshes.push_back(mesh);
+  }
+  return meshes;
 }
 
 std::string short_power(double value) {

@@ -36,6 +36,8 @@ NamedMethod reference_for(const NamedMethod& method);
 
 /// 5, 10, 20, ... up to `largest`.
 std::vector<int> doubled_elements(int largest);
+/// The mesh with so many elements, as far as its grading allows (fem::largest_grading).
+std::vector<oned::MeshOptions> doubled_meshes(oned::MeshOptions mesh, int largest);
 
 /// "1e-06" as "1e-6".
 std::string short_power(double value);

@@ -11,25 +11,24 @@ namespace {
 // Factorisations of the interior point from rest on every family of meshes.
 void interior_point_counts(Chapter& chapter, const Context& context) {
   constexpr int most_allowed = 15;
-  const std::vector<int> elements = doubled_elements(context.full ? 5120 : 1280);
+  const int most_elements = context.full ? 5120 : 1280;
   io::Table table{"Factorisations of the interior point, from rest to a relative gap of 1e-10",
                   {"scene", "mesh"},
                   {}};
-  for (const int n : elements) table.header.push_back(std::to_string(n));
+  for (const int n : doubled_elements(most_elements)) table.header.push_back(std::to_string(n));
   NamedMethod method = reference_method();
   method.options.interior_point.tolerance = 1e-10;
   for (const auto& scene : oned::scenes())
     for (const auto& order_case : scene.order_cases) {
       table.rows.push_back({scene.name, order_case.name});
       int most = 0, failures = 0;
-      for (const int n : elements) {
-        oned::MeshOptions mesh = order_case.mesh;
-        mesh.elements = n;
+      for (const auto& mesh : doubled_meshes(order_case.mesh, most_elements)) {
         const auto solution = oned::solve(scene, oned::boundaries(scene, mesh), method.options);
         if (solution.end != solve::End::converged) ++failures;
         most = std::max(most, solution.iterations());
         table.rows.back().push_back(std::to_string(solution.iterations()));
       }
+      table.rows.back().resize(table.header.size());
       const std::string label = scene.name + ", " + order_case.name + ", interior point: ";
       chapter.check(label + "meshes on which it does not converge", failures, 0, 0);
       chapter.check(label + "most factorisations", most, 1, most_allowed);

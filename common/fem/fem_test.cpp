@@ -138,6 +138,19 @@ BOOST_AUTO_TEST_CASE(aligned_lines_put_the_point_at_its_fraction_of_an_element) 
       }
 }
 
+BOOST_AUTO_TEST_CASE(the_largest_grading_leaves_the_narrowest_element_two_digits) {
+  for (const int elements : {2, 10, 100, 2560}) {
+    const double grading = largest_grading(elements);
+    const auto width = [&](double exponent) {
+      const auto boundaries = graded_line(0, 1, elements, exponent);
+      return boundaries.back() - boundaries[boundaries.size() - 2];
+    };
+    BOOST_TEST(width(grading) == 1e-14, tolerance(0.02));
+    BOOST_TEST(width(1.2 * grading) < 1e-16);  // nothing
+  }
+  BOOST_TEST(std::isinf(largest_grading(1)));
+}
+
 BOOST_AUTO_TEST_CASE(aligned_lines_are_uniform_up_to_the_element_of_the_point) {
   const auto line = aligned_line(14, 20, 10.724, 0.5, 3);
   std::size_t e = 0;

@@ -40,6 +40,10 @@ std::vector<double> graded_line(double start, double end, int elements, double e
   return boundaries;
 }
 
+double largest_grading(int elements) {
+  return 14 / std::log10(elements);
+}
+
 std::vector<double> geometric_line(double start, double end, int elements, double first) {
   assert(elements >= 1 && 0 < first && first < end - start);
   const auto length = [&](double ratio) {

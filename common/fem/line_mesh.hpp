@@ -10,6 +10,10 @@ namespace talus::fem {
 /// 0..n. Exponent 1 is uniform; a larger one refines towards `end`. n >= 1, exponent >= 1.
 std::vector<double> graded_line(double start, double end, int elements, double exponent);
 
+/// The exponent at which the narrowest of n elements has 1e-14 of the length: beyond, its ends are
+/// told apart by fewer than two digits in double precision. Infinite for one element.
+double largest_grading(int elements);
+
 /// Boundaries of n elements on [start, end] that widen (or narrow) by a constant ratio from an
 /// element of width `first` at the start; the ratio is between 0.001 and 10.
 std::vector<double> geometric_line(double start, double end, int elements, double first);
