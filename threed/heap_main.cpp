@@ -92,14 +92,14 @@ void print(const Found& found, const nlohmann::json& results) {
   const auto& [section, heap] = found;
   const twod::SectionSolution& solution = found.solution();
   std::cout << (heap ? threed::mesh_lines(*heap) : twod::mesh_lines(solution))
-            << program::outcome_line(solution) << '\n'
-            << "flow rate Q* = " << io::rounded(results["results"]["flow_rate"], 10)
+            << program::outcome_line(solution) << '\n';
+  if (!solve::is_success(solution.end)) return;
+  std::cout << "flow rate Q* = " << io::rounded(results["results"]["flow_rate"], 10)
             << " at an angle of " << io::rounded(solution.section.angle, 10)
             << ", surface velocity " << io::rounded(results["results"]["surface_velocity"], 7)
             << '\n';
   if (solution.interior_point.at_rest) std::cout << "The material is at rest.\n";
-  if (heap && solve::is_success(solution.end))
-    std::cout << threed::comparison_lines(*heap, section ? &*section : nullptr);
+  if (heap) std::cout << threed::comparison_lines(*heap, section ? &*section : nullptr);
 }
 
 void write_files(const io::ResultFolder& folder, const Found& found, const nlohmann::json& results,
