@@ -112,6 +112,14 @@ std::vector<std::string> row_of(const std::string& law, int around, const Way& w
           io::rounded(f.seconds, 3)};
 }
 
+void add_folds(io::Curve& folds, const Followed& f) {
+  for (std::size_t i = 0; i < f.points.size(); ++i)
+    if (f.points[i].is_fold_passed) {
+      folds.x.push_back(f.measures[i].lambda_r);
+      folds.y.push_back(f.measures[i].mean_velocity);
+    }
+}
+
 void atlas(Chapter& chapter, const Context& context) {
   io::Table table{"Paths in λr from 0.1 to 1e-6 at F = 0.054 around the cylinder",
                   {"law", "around", "way", "end", "smallest λr", "folds", "points",
@@ -147,11 +155,7 @@ void atlas(Chapter& chapter, const Context& context) {
                         f.smallest_lambda_r(), 0.999e-6, 1.001e-6);
         if (&way != &ways().front()) continue;
         panel.curves.push_back(curve_of(std::to_string(around) + " around", f));
-        for (std::size_t i = 0; i < f.points.size(); ++i)
-          if (f.points[i].is_fold_passed) {
-            folds.x.push_back(f.measures[i].lambda_r);
-            folds.y.push_back(f.measures[i].mean_velocity);
-          }
+        add_folds(folds, f);
         if (rheology::has_yield_stress(law)) continue;
         const std::string what = name + ", " + std::to_string(around) + " around, F = 0.054: ";
         chapter.check(what + "folds", f.folds(), 0, 0);

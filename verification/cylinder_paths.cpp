@@ -46,7 +46,7 @@ io::Figure empty_figure() {
   io::Panel step{"What is left of the steps", "F", "Δσ", false, true, {}};
   velocity.key = "bottom right";
   negative.key = "top left";
-  step.key = "bottom left";
+  step.key = "bottom right";
   return {"loading_paths",
           "Up the loading until nothing goes on: arclength continuation as lines, natural "
           "continuation as points on them, folds ringed.",

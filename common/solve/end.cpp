@@ -15,11 +15,13 @@ constexpr std::array<Description, std::size(all_ends)> descriptions = {{
     {"converged", ""},
     {"at_round_off_floor", ""},
     {"stagnated",
-     "check the tangent with --check-jacobian, try a larger --lambda-r or --method interior-point"},
+     "check the tangent with --check-jacobian, try a larger --lambda-r or the other --method"},
     {"line_search_failed",
      "check the tangent with --check-jacobian, or try --method interior-point"},
-    {"linear_solver_failed", "try --line-search energy-slope or a larger --lambda-r"},
-    {"non_finite", "try --line-search energy-slope or a larger --lambda-r"},
+    {"linear_solver_failed",
+     "try a mesh graded less; by Newton --line-search energy-slope or a larger --lambda-r"},
+    {"non_finite",
+     "try a mesh graded less; by Newton --line-search energy-slope or a larger --lambda-r"},
     {"no_steady_state", "lower the load below its limit"},
 }};
 
