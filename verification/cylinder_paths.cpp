@@ -156,6 +156,10 @@ void cylinder_paths(Chapter& chapter, const Context& context) {
       "it. Without inertia that sweep goes on beyond 0.065, with full steps; that of eq. (12) does "
       "not.");
   chapter.table(std::move(ends));
+  // Lines first: then a law has one colour in all panels.
+  std::ranges::stable_partition(figure.panels[0].curves, [](const io::Curve& curve) {
+    return curve.style == io::Style::line;
+  });
   chapter.figure(std::move(figure));
   chapter.table(std::move(shares));
 }
