@@ -17,12 +17,13 @@ int main(int argc, char** argv) {
   oned::Bagnold bagnold;
   oned::ProgramOptions options;
   options.method.lambda_r = scene_of(bagnold).lambda_r;
-  io::add_real(app, "--angle", bagnold.angle, "Inclination α, in radians", 1e-3, 1.57);
+  io::add_angle(app, "--angle", bagnold.angle, "Inclination α", 1e-3, 1.57);
   io::add_real(app, "--height", bagnold.height, "Depth of the layer H, in d", 1e-3, 1e6);
   oned::add_options(app, options, "bagnold");
   return io::run_program(app, argc, argv, [&] {
     bagnold.law = friction_law(options.method);
     bagnold.regularisation = limiting_law(options.method);
-    return run(scene_of(bagnold), options, {{"angle", bagnold.angle}, {"height", bagnold.height}});
+    return run(app, scene_of(bagnold), options,
+               {{"angle", bagnold.angle}, {"height", bagnold.height}});
   });
 }

@@ -21,14 +21,19 @@ int main(int argc, char** argv) {
   io::add_real(app, "--pressure", chute.pressure, "Confining pressure p, in φρgd", 1e-3, 1e6);
   io::add_real(app, "--width", chute.width, "Width b, in d", 1e-3, 1e6);
   oned::add_options(app, options, "chute");
-  app.add_option("--align", options.align,
+  const auto align = [&](const CLI::results_t& fraction) {
+    options.mesh.align =
+        fraction[0].empty() ? 0 : io::real_in_range("--align", fraction[0], 0, 0.99);
+    return true;
+  };
+  app.add_option("--align", align,
                  "Put the edge of the plug at this fraction of its element; alone: on a node "
                  "[0 ... 0.99]")
       ->expected(0, 1);
   return io::run_program(app, argc, argv, [&] {
-    if (app.count("--align") > 0 && options.align.empty()) options.align = "0";
     chute.law = friction_law(options.method);
     chute.regularisation = limiting_law(options.method);
-    return run(scene_of(chute), options, {{"pressure", chute.pressure}, {"width", chute.width}});
+    return run(app, scene_of(chute), options,
+               {{"pressure", chute.pressure}, {"width", chute.width}});
   });
 }

@@ -35,8 +35,113 @@ check refuses --pressure "'-1'" -- "$chute" --pressure -1
 check refuses --align "'2'" 0.99 -- "$chute" --align 2
 check refuses --align -- "$chute" --align --pressure 40
 check refuses --elements "'1'" -- "$chute" --align --elements 1
+for program in "$chute" "$bagnold"; do
+  # Options that the method, or a check instead of a solve, has no use for.
+  while read -r option value; do
+    # shellcheck disable=SC2086  # no word where there is no value
+    check refuses "$option: not used by --method interior-point; add --method newton" -- \
+      "$program" --method interior-point $option $value
+  done <<'END'
+--regularisation simple
+--lambda-r 1e-3
+--precision plain
+--line-search none
+--tangent frozen
+--no-continuation
+END
+  while read -r option value; do
+    # shellcheck disable=SC2086
+    check refuses "$option: not used by --check-jacobian" -- \
+      "$program" --elements 3 --check-jacobian $option $value
+  done <<'END'
+--tolerance 1e-8
+--max-iterations 5
+--precision plain
+--line-search none
+--no-continuation
+--output elsewhere
+--plot
+END
+  # Words that are nearly right, too many or too few.
+  check refuses --regularization "did you mean --regularisation?" -- "$program" --regularization x
+  check refuses --lambda_r "did you mean --lambda-r?" -- "$program" --lambda_r 1e-3
+  check refuses "'newtn'" "did you mean newton?" -- "$program" --method newtn
+  check refuses "'20' '40' belong to no option" -- "$program" --elements 10 20 40
+  check refuses "--plot: it is given twice" -- "$program" --plot --plot
+  check refuses "--output: its value is missing" -- "$program" --output --plot
+  check refuses "--output: '' is no value" -- "$program" --output ''
+  check refuses "--output" "must be a folder" -- "$program" --output "$work/file"
+  for value in '' 0.383,0.26,0.279, ,0.26,0.279 0.383,,0.279; do
+    check refuses --friction "''" -- "$program" --friction "$value"
+  done
+  for value in 0x10 +10 ' 10' 1_000 1,000 10.0 1e1; do
+    check refuses --elements "'$value'" "1 ... 100000" -- "$program" --elements "$value"
+  done
+  for value in +1 0x1p-3 ' 1' 1e-400; do
+    check refuses --lambda-r "'$value'" 1e-15 -- "$program" --lambda-r "$value"
+  done
+done
+check refuses --angle "'23'" "radians (or 23deg)" -- "$bagnold" --angle 23
+check refuses --align "''" -- "$chute" --align ''
 
-# 3. The limits of existence.
+# 3. Numbers are decimal, angles in degrees where they say so.
+for value in 0100 100; do
+  check succeeds chute "$chute" --elements $value
+  check expect_text run/results/chute/summary.json '"elements": 100,'
+done
+check succeeds bagnold "$bagnold" --angle 23deg --elements 08
+check expect_text run/results/bagnold/summary.json '"angle": 0.40142572795869' '"elements": 8,'
+check_fails expect_text run/results/bagnold/summary.json '"angle": 0.4,'
+
+# 4. A folder holds one run and nothing older.
+pictures="profile.dat profile.gp profile.png profile.svg"
+run "$chute" --elements 5 --plot
+touch "$work/run/results/chute/notes.txt" "$work/run/results/chute/.profile.png.part"
+# shellcheck disable=SC2086
+! command -v gnuplot >/dev/null ||
+  check leaves chute summary.json profile.csv newton.csv notes.txt $pictures .profile.png.part
+run_again "$chute" --elements 0
+check test -e "$work/run/results/chute/.profile.png.part"  # bad input removes nothing
+run_again "$chute" --elements 5 --method interior-point
+check leaves chute summary.json profile.csv interior_point.csv notes.txt
+for failing in "--max-iterations 1 --no-continuation" "--pressure 20"; do
+  # shellcheck disable=SC2086
+  run_again "$chute" --elements 5 --plot $failing
+  check expect_code 1
+  check_fails expect_text run/results/chute/summary.json max_velocity
+  check_fails expect_text stdout velocity
+done
+check leaves chute summary.json notes.txt
+check holds_one_run chute "$chute" --elements 5
+check_fails leaves chute summary.json profile.csv
+rm "$work/run/results/chute/profile.csv"
+mkdir -p "$work/run/results/chute/profile.csv/in the way"
+run_again "$chute" --elements 5
+check expect_code 2
+check expect_text stderr --output profile.csv
+check leaves chute newton.csv profile.csv
+check says_when_stdout_is_full "$chute" --elements 5
+check says_when_stdout_is_full "$chute" --help
+check_fails says_when_stdout_is_full "$chute" --elements 0
+run bash -c '"$0" --elements 5 >&-' "$chute"  # closed
+check expect_code 1
+
+# 5. What became of gnuplot is told; an older picture does not stand in.
+run "$chute" --elements 5 --plot
+with_gnuplot 'echo no terminal >&2; exit 1' "$chute" --elements 5 --plot
+check expect_code 0
+check expect_text stdout "(no profile.png: gnuplot failed: no terminal)"
+check leaves chute summary.json profile.csv newton.csv profile.dat profile.gp
+if command -v gnuplot >/dev/null; then
+  # Ctrl-C while a picture is drawn: it is torn under another name, which the next run removes.
+  with_gnuplot "echo half >.profile.png.part; kill -INT \$PPID; sleep 9" "$chute" --elements 5 --plot
+  check test "$code" -gt 128
+  check leaves chute newton.csv profile.csv profile.dat profile.gp .profile.png.part
+  run_again "$chute" --elements 5
+  check leaves chute summary.json profile.csv newton.csv
+fi
+
+# 6. The limits of existence.
 check has_no_steady_flow 0.571439 "$bagnold" --angle 0.6
 check has_no_steady_flow 21.7729 "$chute" --pressure 20
 check has_no_steady_flow 21.7729 "$chute" --pressure 20 --method interior-point
@@ -44,7 +149,7 @@ check is_at_rest bagnold "$bagnold" --angle 0.3
 check is_at_rest chute "$chute" --pressure 40
 check is_at_rest chute "$chute" --pressure 40 --method interior-point
 
-# 4. A solve that does not succeed says so; so does a Jacobian check.
+# 7. A solve that does not succeed says so; so does a Jacobian check.
 run "$chute" --max-iterations 1 --no-continuation
 check expect_code 1
 check expect_text stderr stagnated
@@ -52,7 +157,7 @@ run "$chute" --check-jacobian --tangent wrong-sign --elements 5
 check expect_code 1
 check expect_text stdout WRONG
 
-# 5. Negative controls: each check notices what it is there for.
+# 8. Negative controls: each check notices what it is there for.
 check_fails refuses --elements -- "$chute" --elements 5
 check_fails refuses --nonsense -- "$chute" --elements 0
 check_fails refuses no_steady_state -- "$chute" --pressure 20

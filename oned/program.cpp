@@ -10,8 +10,9 @@ namespace {
 
 void print_outcome(const ShearScene& scene, const Solution& solution, const nlohmann::json& summary,
                    double lambda_r) {
-  const double velocity = summary["results"]["max_velocity"];
   std::cout << program::outcome_line(solution) << '\n';
+  if (!solve::is_success(solution.end)) return;
+  const double velocity = summary["results"]["max_velocity"];
   if (scene.regime() == rheology::Regime::at_rest) {
     std::cout << "The material is at rest (" << scene.limits << ").\n";
     if (solution.is_of_newton())
@@ -25,6 +26,14 @@ void print_outcome(const ShearScene& scene, const Solution& solution, const nloh
             << io::rounded(results["error_max"], 3) << '\n';
 }
 
+// Whatever a run can leave.
+std::vector<std::string> files() {
+  std::vector<std::string> names = io::files_of("profile");
+  for (const char* name : {"summary.json", "profile.csv", "newton.csv", "interior_point.csv"})
+    names.emplace_back(name);
+  return names;
+}
+
 }  // namespace
 
 void add_options(CLI::App& app, ProgramOptions& options, const std::string& scene) {
@@ -33,20 +42,23 @@ void add_options(CLI::App& app, ProgramOptions& options, const std::string& scen
   io::add_real(app, "--grading", options.mesh.grading,
                "Exponent q of the mesh x_i = L(1 - (1 - i/n)^q); 1 is uniform", 1, 10);
   program::add_method_options(app, options.method);
-  app.add_option("--output", options.output, "Folder for the results")->capture_default_str();
+  io::add_text(app, "--output", options.output, "Folder for the results");
   app.add_flag("--plot", options.plot, "Draw the profiles (data, gnuplot script, SVG and PNG)");
   app.add_flag("--check-jacobian", options.check_jacobian,
                "Only compare the tangent with differences of the residual");
 }
 
-int run(const ShearScene& scene, const ProgramOptions& options, const nlohmann::json& parameters) {
+int run(const CLI::App& app, const ShearScene& scene, const ProgramOptions& options,
+        const nlohmann::json& parameters) {
+  io::refuse_unused(app, program::used_options(options.method, options.check_jacobian));
+
   // 1. The mesh, and what is to be solved on it.
-  RunParameters run{options.mesh, {program::shear_options(options.method)}, parameters};
-  if (!options.align.empty()) run.mesh.align = io::real_in_range("--align", options.align, 0, 0.99);
+  const RunParameters run{options.mesh, {program::shear_options(options.method)}, parameters};
   const std::vector<double> line = boundaries(scene, run.mesh);
   if (options.check_jacobian)
     return program::report(scene.name, check_jacobian(scene, line, run.solve));
   const io::ResultFolder folder(options.output);
+  folder.remove_older(files());
 
   // 2. The limits of existence come first: past them a mesh can return a number all the same.
   if (scene.regime() == rheology::Regime::no_steady_state) {
@@ -58,28 +70,28 @@ int run(const ShearScene& scene, const ProgramOptions& options, const nlohmann::
 
   // 3. The nonlinear solve, from rest.
   const Solution solution = solve(scene, line, run.solve);
+  const bool is_solved = solve::is_success(solution.end);
 
   // 4. What came out, against the exact solution.
   const nlohmann::json results = summary(scene, run, solution);
   print_outcome(scene, solution, results, run.solve.lambda_r);
 
-  // 5. The files.
+  // 5. The files, the summary last: where it is, the others are. Of a failed solve it says how it
+  // went, and there is no flow to show.
   const std::string iterations = program::iteration_file(solution);
-  folder.write("summary.json", results.dump(2) + "\n");
-  folder.write("profile.csv", io::to_csv(profile_table(scene, solution)));
+  std::string written = " summary.json " + iterations;
   folder.write(iterations, io::to_csv(program::iteration_table(solution)));
-  std::cout << "results in " << folder.path().string() << ": summary.json profile.csv "
-            << iterations;
-  if (options.plot) {
-    const io::Figure figure = profile_figure(scene, {{options.method.method, &solution}});
-    const bool drawn =
-        io::write_figure(folder, figure, "png") && io::write_figure(folder, figure, "svg");
-    std::cout << (drawn ? " profile.svg profile.png" : " (no figure: gnuplot is missing)");
+  if (is_solved) {
+    folder.write("profile.csv", io::to_csv(profile_table(scene, solution)));
+    written += " profile.csv";
+    if (options.plot)
+      written += io::draw(folder, {profile_figure(scene, {{options.method.method, &solution}})});
   }
-  std::cout << '\n';
+  folder.write("summary.json", results.dump(2) + "\n");
+  std::cout << "results in " << folder.path().string() << ":" << written << '\n';
 
   // 6. The exit code says whether the numbers can be trusted.
-  if (solve::is_success(solution.end)) return 0;
+  if (is_solved) return 0;
   std::cerr << scene.name << ": " << solve::name_of(solution.end) << ": "
             << solve::advice_for(solution.end) << '\n';
   return 1;

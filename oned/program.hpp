@@ -13,7 +13,7 @@ namespace talus::oned {
 struct ProgramOptions {
   MeshOptions mesh;
   program::MethodOptions method;
-  std::string align, output;
+  std::string output;
   bool plot = false, check_jacobian = false;
 };
 
@@ -22,6 +22,7 @@ void add_options(CLI::App& app, ProgramOptions& options, const std::string& scen
 
 /// Limits, mesh, solve, measure, write. `parameters` are the scene's own, for summary.json.
 /// Returns the exit code: 0, or 1 where the solve or the Jacobian check does not succeed.
-int run(const ShearScene& scene, const ProgramOptions& options, const nlohmann::json& parameters);
+int run(const CLI::App& app, const ShearScene& scene, const ProgramOptions& options,
+        const nlohmann::json& parameters);
 
 }  // namespace talus::oned

@@ -32,6 +32,8 @@ json header(const ShearScene& scene, const RunParameters& parameters) {
 json summary(const ShearScene& scene, const RunParameters& parameters, const Solution& solution) {
   json all = header(scene, parameters);
   program::add_outcome(all, solution);
+  all["results"] = json::object();
+  if (!solve::is_success(solution.end)) return all;
   const Errors error = errors(solution, scene);
   const double exact_max = std::max(scene.exact_velocity(0), scene.exact_velocity(scene.length));
   all["results"] = {{"max_velocity", solution.velocity.value().lpNorm<Eigen::Infinity>()},

@@ -17,7 +17,8 @@ struct RunParameters {
   nlohmann::json scene;  ///< the scene's own parameters by name
 };
 
-/// summary.json: scene, model, parameters, status, newton or interior_point, seconds, results.
+/// summary.json: scene, model, parameters, status, newton or interior_point, seconds,
+/// results (none if the solve failed).
 nlohmann::json summary(const ShearScene& scene, const RunParameters& parameters,
                        const Solution& solution);
 /// The same for a load that has no steady flow: nothing was solved.

@@ -72,13 +72,61 @@ done <<'END'
 --method interior-point
 --wall friction
 --precision plain
---line-search energy-slope
 --tangent frozen
 END
-check refuses --no-continuation "--model 3d" -- "$heap" --model 3d --no-continuation
-check refuses --start "'rest'" "--model section" -- "$heap" --start rest
-check refuses --start "'section'" "--model section" -- "$heap" --method newton --start section
-check refuses --outflow "'open'" "--model section" -- "$heap" --outflow open
+check refuses --start "'section'" "--model section" "--model 3d" -- "$heap" --start section
+# Options that the model, the method, or a check instead of a solve has no use for.
+while read -r by options; do
+  # shellcheck disable=SC2086  # words, as a user types them
+  check refuses "${options%% *}: not used by --${by/=/ }" -- "$heap" --elements 1x2x3 $options
+done <<'END'
+model=3d --line-search energy-slope --model 3d
+model=3d --no-continuation --model 3d
+model=section --outflow open
+method=interior-point --start rest
+method=interior-point --start nested
+method=interior-point --regularisation simple
+method=interior-point --lambda-r 1e-3
+method=interior-point --precision plain
+method=interior-point --line-search none
+method=interior-point --tangent full
+method=interior-point --no-continuation
+check-jacobian --start rest --check-jacobian
+check-jacobian --start section --check-jacobian --model 3d
+check-jacobian --flow-rate 10 --check-jacobian
+check-jacobian --tolerance 1e-8 --check-jacobian --model 3d
+check-jacobian --max-iterations 8 --check-jacobian
+check-jacobian --plot --check-jacobian
+check-jacobian --output elsewhere --check-jacobian
+END
+check refuses "--start: not used by --method interior-point; add --method newton" -- \
+  "$heap" --start nested
+check refuses --angle "'23'" "radians (or 23deg)" -- "$heap" --angle 23
+check refuses --outfow "did you mean --outflow?" -- "$heap" --model 3d --outfow open
+check refuses --friction "''" -- "$heap" --elements 3x4 --friction ''
+check refuses --elements "''" -- "$heap" --elements ''
+check succeeds heap "$heap" --elements 07x010 --angle 23deg
+check expect_text run/results/heap/summary.json '"angle": 0.4014257279' "7,"
+cp "$work/run/results/heap/surface.csv" "$work/surface.csv"
+check succeeds heap "$heap" --elements 7x10 --angle 0.401425727958696
+check cmp "$work/surface.csv" "$work/run/results/heap/surface.csv"
+
+# A folder holds one run and nothing older.
+run "$heap" --elements 7x10 --plot
+run_again "$heap" --elements 7x10 --max-iterations 2 --plot
+check expect_code 1
+check leaves heap summary.json interior_point.csv
+check expect_text run/results/heap/summary.json '"results": {}' stagnated
+run "$heap" --model 3d --elements 1x3x4 --plot
+with_gnuplot 'exit 1' "$heap" --elements 7x10 --plot
+check expect_code 0
+check expect_text stdout "(no section.png: gnuplot failed)"
+check leaves heap summary.json surface.csv interior_point.csv section.vtu section.dat section.gp
+run_again "$heap" --model 3d --elements 1x3x4 --max-iterations 2
+check leaves heap summary.json newton.csv
+check expect_text run/results/heap/summary.json '"results": {}' stagnated
+check holds_one_run heap "$heap" --elements 7x10
+check says_when_stdout_is_full "$heap" --elements 7x10
 
 # 4. The limits of existence.
 check has_no_steady_flow 0.571439 "$heap" --elements 3x4 --angle 0.7

@@ -102,26 +102,38 @@ void print(const Found& found, const nlohmann::json& results) {
   if (heap) std::cout << threed::comparison_lines(*heap, section ? &*section : nullptr);
 }
 
+// Whatever a run can leave, of either model.
+std::vector<std::string> files() {
+  std::vector<std::string> names = {"summary.json", "surface.csv", "newton.csv",
+                                    "interior_point.csv"};
+  for (const char* model : {"section", "heap"}) {
+    names.push_back(std::string(model) + ".vtu");
+    for (const std::string& file : io::files_of(model)) names.push_back(file);
+  }
+  return names;
+}
+
+// The summary last: where it is, the others are. Of a failed solve it says how it went, and there
+// is no flow to show.
 void write_files(const io::ResultFolder& folder, const Found& found, const nlohmann::json& results,
                  const flow::CrossSection<2>& space, bool plot) {
   const auto& heap = found.heap;
   const twod::SectionSolution& solution = found.solution();
-  const std::string name = heap ? "heap" : "section";
-  folder.write("summary.json", results.dump(2) + "\n");
-  folder.write("surface.csv", io::to_csv(twod::surface_table(solution, space)));
-  folder.write(program::iteration_file(solution), io::to_csv(program::iteration_table(solution)));
-  folder.write(name + ".vtu",
-               heap ? io::to_vtu(threed::grid(*heap)) : io::to_vtu(twod::grid(solution, space)));
-  std::cout << "results in " << folder.path().string() << ": summary.json surface.csv " << name
-            << ".vtu " << program::iteration_file(solution);
-  if (plot) {
-    const io::Figure figure = heap ? threed::figure(*heap, space) : twod::figure(solution, space);
-    const bool drawn =
-        io::write_figure(folder, figure, "png") && io::write_figure(folder, figure, "svg");
-    std::cout << (drawn ? " " + name + ".svg " + name + ".png"
-                        : " (no figure: gnuplot is missing)");
+  const std::string iterations = program::iteration_file(solution);
+  std::string written = " summary.json " + iterations;
+  folder.write(iterations, io::to_csv(program::iteration_table(solution)));
+  if (solve::is_success(solution.end)) {
+    const std::string fields = heap ? "heap.vtu" : "section.vtu";
+    folder.write("surface.csv", io::to_csv(twod::surface_table(solution, space)));
+    folder.write(fields,
+                 heap ? io::to_vtu(threed::grid(*heap)) : io::to_vtu(twod::grid(solution, space)));
+    written += " surface.csv " + fields;
+    if (plot)
+      written +=
+          io::draw(folder, {heap ? threed::figure(*heap, space) : twod::figure(solution, space)});
   }
-  std::cout << '\n';
+  folder.write("summary.json", results.dump(2) + "\n");
+  std::cout << "results in " << folder.path().string() << ":" << written << '\n';
 }
 
 int run(const CLI::App& app, Options& options) {
@@ -130,6 +142,7 @@ int run(const CLI::App& app, Options& options) {
   flow::CrossSection<2> space = twod::space_of(options.section, options.mesh.section);
   if (options.check_jacobian) return check_jacobian(options, space);
   const io::ResultFolder folder(options.output);
+  folder.remove_older(files());
 
   nlohmann::json results = {
       {"scene", "heap"}, {"model", options.model}, {"parameters", parameters(options)}};

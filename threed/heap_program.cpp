@@ -8,28 +8,39 @@
 namespace talus::threed {
 namespace {
 
-// Options that one of the models has no use for.
-void refuse_options_of_the_other_model(const CLI::App& app, ProgramOptions& options) {
-  const auto refuse = [&](const char* name, const std::string& allowed) {
-    if (app.count(name) > 0)
-      throw io::UserError(std::string(name) + ": '" + app.get_option(name)->as<std::string>() +
-                          "' is not for --model " + options.model + "; " + allowed);
+// A value that the model has no use for, though the option has.
+void refuse_values_of_the_other_model(const CLI::App& app, const ProgramOptions& options) {
+  const auto refuse = [&](const char* option, const std::string& value, const std::string& advice) {
+    if (app.count(option) > 0)
+      throw io::UserError(std::string(option) + ": '" + value + "' is not for --model " +
+                          options.model + "; " + advice);
   };
+  const program::MethodOptions& method = options.method;
   if (!options.is_3d()) {
-    refuse("--outflow", "it takes --model 3d");
-    if (options.start == "section") refuse("--start", "rest and nested are");
-    if (options.method.method != "newton") refuse("--start", "it takes --method newton");
+    if (options.start == "section") refuse("--start", options.start, "it takes --model 3d");
     return;
   }
-  if (options.method.method != "newton") refuse("--method", "only newton is");
-  options.method.method = "newton";
-  if (app.count("--start") == 0) options.start = "nested";
-  if (options.wall != "no-slip") refuse("--wall", "only no-slip is");
-  if (options.method.precision != "compensated") refuse("--precision", "only compensated is");
-  refuse("--line-search", "its own is on the residual");
-  refuse("--no-continuation", "it takes --model section");
-  if (options.method.tangent != "wrong-sign" || !options.check_jacobian)
-    refuse("--tangent", "only wrong-sign is, with --check-jacobian");
+  if (method.method != "newton") refuse("--method", method.method, "only newton is");
+  if (options.wall != "no-slip") refuse("--wall", options.wall, "only no-slip is");
+  if (method.precision != "compensated")
+    refuse("--precision", method.precision, "only compensated is");
+  if (method.tangent != "wrong-sign" || !options.check_jacobian)
+    refuse("--tangent", method.tangent, "only wrong-sign is, with --check-jacobian");
+}
+
+// Which options a run uses.
+std::vector<io::Use> used_options(const ProgramOptions& options) {
+  std::vector<io::Use> table = {
+      {{"--outflow"}, options.is_3d(), "--model section; add --model 3d"},
+      {{"--line-search"}, !options.is_3d(), "--model 3d, which has its own, on the residual"},
+      {{"--no-continuation"}, !options.is_3d(), "--model 3d; --start says where it sets out"},
+      {{"--start", "--flow-rate"}, !options.check_jacobian, "--check-jacobian"},
+      {{"--start"},
+       options.method.method == "newton",
+       "--method interior-point; add --method newton"}};
+  for (const io::Use& use : program::used_options(options.method, options.check_jacobian))
+    table.push_back(use);
+  return table;
 }
 
 // "70x100": elements across and up; in three dimensions those along the stream before them.
@@ -69,7 +80,7 @@ void add_options(CLI::App& app, ProgramOptions& options) {
                  "in three dimensions (by Newton)",
                  {"section", "3d"});
   CLI::Option* angle =
-      io::add_real(app, "--angle", options.section.angle, "Inclination α, in radians", 1e-3, 1.57);
+      io::add_angle(app, "--angle", options.section.angle, "Inclination α", 1e-3, 1.57);
   io::add_real(app, "--flow-rate", options.flow_rate,
                "Find the angle with this flow rate Q* instead", 1e-6, 1e6)
       ->default_str("")
@@ -77,9 +88,8 @@ void add_options(CLI::App& app, ProgramOptions& options) {
   io::add_choice(app, "--wall", options.wall,
                  "Side wall: without slip, or with friction mu_2 p where it slips",
                  {"no-slip", "friction"});
-  app.add_option("--elements", options.elements,
-                 "Elements ACROSSxUP of half the section; in 3d ALONGxACROSSxUP, default 1x70x100")
-      ->capture_default_str();
+  io::add_text(app, "--elements", options.elements,
+               "Elements ACROSSxUP of half the section; in 3d ALONGxACROSSxUP, default 1x70x100");
   io::add_choice(
       app, "--start", options.start,
       "Where Newton starts: at rest, on ever finer meshes (default in 3d), or in 3d from "
@@ -95,14 +105,19 @@ void add_options(CLI::App& app, ProgramOptions& options) {
   io::add_real(app, "--width", options.section.width, "Width of the channel W, in d", 1e-3, 1e6);
   io::add_real(app, "--height", options.section.height, "Depth H, in d", 1e-3, 1e6);
   program::add_method_options(app, options.method);
-  app.add_option("--output", options.output, "Folder for the results")->capture_default_str();
+  io::add_text(app, "--output", options.output, "Folder for the results");
   app.add_flag("--plot", options.plot, "Draw the profiles (data, gnuplot script, SVG and PNG)");
   app.add_flag("--check-jacobian", options.check_jacobian,
                "Only compare the tangent with differences of the residual (take few elements)");
 }
 
 void interpret(const CLI::App& app, ProgramOptions& options) {
-  refuse_options_of_the_other_model(app, options);
+  refuse_values_of_the_other_model(app, options);
+  if (options.is_3d()) {
+    options.method.method = "newton";
+    if (app.count("--start") == 0) options.start = "nested";
+  }
+  io::refuse_unused(app, used_options(options));
   read_elements(app, options);
   const auto& section = options.mesh.section;
   program::check_grading("--grading-to-wall", section.grading_to_wall, section.across);

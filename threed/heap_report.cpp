@@ -10,9 +10,11 @@ namespace talus::threed {
 
 nlohmann::json summary(const HeapSolution& solution, const flow::CrossSection<2>& section_space) {
   nlohmann::json all = twod::summary(solution.middle, section_space);
-  all["results"]["cross_flow"] = solution.cross_flow;
-  all["results"]["dynamic_pressure"] = solution.dynamic_pressure;
-  all["results"]["change_along"] = solution.change_along;
+  if (solve::is_success(solution.middle.end)) {
+    all["results"]["cross_flow"] = solution.cross_flow;
+    all["results"]["dynamic_pressure"] = solution.dynamic_pressure;
+    all["results"]["change_along"] = solution.change_along;
+  }
   all["meshes"] = nlohmann::json::array();
   for (const MeshCost& cost : solution.meshes)
     all["meshes"].push_back(

@@ -6,12 +6,6 @@ cylinder=$1 source_folder=$2
 # shellcheck source=common/testing/cli_checks.sh
 . "$source_folder/../common/testing/cli_checks.sh"
 
-# run_again PROGRAM OPTIONS...: as run, in the folder of the last one.
-run_again() {
-  (cd "$work/run" && exec "$@") >"$work/stdout" 2>"$work/stderr"
-  code=$?
-}
-
 # result KEY: that of results in the summary of the last run.
 result() {
   sed -n '/^  "results": {/,/^  }/s/^    "'"$1"'": \([^,]*\),*$/\1/p' \
@@ -70,6 +64,19 @@ check refuses --loading --sweep -- "$cylinder" --loading 0.05 --sweep 0.04:0.05:
 for value in 0.04 0.04:0.05 0.04:0.05:3:1 x:0.05:3 0.04:0.05:1 0:0.05:3 0.04:0.05:2.5; do
   check refuses --sweep -- "$cylinder" --around 16 --sweep "$value"
 done
+for value in '' 0.04:0.05:3: :0.05:3 0.04::3 0.04:0.05:+3; do
+  check refuses --sweep "'" -- "$cylinder" --around 16 --sweep "$value"
+done
+for value in 0.01,,0.02 0.01, ,0.01 ''; do
+  check refuses --loading "''" 0.07 -- "$cylinder" --loading "$value"
+done
+check refuses --confining-pressure "''" -- "$cylinder" --confining-pressure 1,
+check refuses --friction "''" -- "$cylinder" --around 16 --friction ''
+check refuses --around "'0x10'" -- "$cylinder" --around 0x10
+check refuses "--pressure-floor: not used by --no-pressure-regularisation" -- \
+  "$cylinder" --pressure-floor 0.01 --no-pressure-regularisation
+check refuses --contination "did you mean --continuation?" -- "$cylinder" --contination natural
+check refuses "--loading: it is given twice" -- "$cylinder" --loading 0.01 --loading 0.02
 check refuses --outflow "'foo'" open-viscous -- "$cylinder" --outflow foo
 check refuses --route "'foo'" lambda-r -- "$cylinder" --route foo
 check refuses --confining-pressure "'0'" 0.01 -- "$cylinder" --confining-pressure 0
@@ -84,6 +91,25 @@ run "$cylinder" --around 16 --loading 0.052 --continuation natural  # beyond the
 check expect_code 1
 check expect_text stderr step_too_small "F = 0.0501"
 check expect_text run/results/cylinder/summary.json '"status": "step_too_small"'
+check leaves cylinder summary.json path.csv sweep.pvd checkpoint.bin
+check expect_text run/results/cylinder/summary.json '"results": {}'
+
+# A folder holds one run and nothing older: neither what a failed run does not write nor its pictures.
+run "$cylinder" --around 16 --loading 0.02 --lambda-r 1e-2 --plot
+for file in .drag.png.part .flow_0002.vtu.part notes.txt; do touch "$work/run/results/cylinder/$file"; done
+run_again "$cylinder" --around 16 --loading 0.03 --max-points 2 --lambda-r 1e-4 --continuation arclength
+check expect_code 1
+check leaves cylinder summary.json path.csv sweep.pvd checkpoint.bin notes.txt
+run_again "$cylinder" --around 016 --loading 0.02 --lambda-r 1e-2
+check expect_text run/results/cylinder/summary.json '"around": 16,'
+check expect_text stdout "summary.json sweep.pvd path.csv sweep.csv perimeter.csv"
+check leaves cylinder summary.json path.csv sweep.pvd checkpoint.bin notes.txt perimeter.csv \
+  sweep.csv flow_0001.vtu
+check holds_one_run cylinder "$cylinder" --around 16 --loading 0.02 --lambda-r 1e-2
+check says_when_stdout_is_full "$cylinder" --around 16 --loading 0.02 --lambda-r 1e-2
+with_gnuplot 'exit 1' "$cylinder" --around 16 --loading 0.02 --lambda-r 1e-2 --plot
+check expect_code 0
+check expect_text stdout "(no path.png: gnuplot failed)"
 
 # 4. A cylinder that was interrupted goes on from its checkpoint to the same flow.
 flow=("$cylinder" --around 16 --sweep 0.03:0.045:2 --continuation arclength)
@@ -112,7 +138,9 @@ check_fails begins_like "$work/run/results/cylinder/path.csv" path.csv  # nothin
 check_fails expect_text run/results/cylinder/summary.json "$factorisations"  # fewer than at once
 check_fails few_factorisations
 check_fails agrees_to_1e_8 "$(result wall_force)" "$drag"
+cp "$work/run/results/cylinder/sweep.csv" "$work/sweep.csv"
 run_again "${flow[@]}" --resume  # all is done
+check cmp "$work/sweep.csv" "$work/run/results/cylinder/sweep.csv"
 check expect_code 0
 check agrees_to_1e_8 "$(result drag)" "$drag"
 # The path may be gone on with in another way.

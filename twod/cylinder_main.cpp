@@ -7,7 +7,6 @@
 //   cylinder --around 16 --full --loading 0.03 --penalty plain --lambda-r 1e-4
 //   cylinder --around 16 --loading 0.044 --outflow open-viscous --outlet 8 --route lambda-r
 #include <iostream>
-#include <sstream>
 
 #include "common/io/options.hpp"
 #include "common/program/method_options.hpp"
@@ -25,7 +24,7 @@ struct Options {
   std::string outflow = "fully-developed", continuation = "primal-dual", route;
   std::string output = "results/cylinder";
   double lambda_p = 0;  // 0: the penalty's own default
-  bool no_inertia = false, plot = false;
+  bool no_pressure_regularisation = false, no_inertia = false, plot = false;
   int threads = 1;
 };
 
@@ -33,10 +32,7 @@ constexpr double smallest_loading = 1e-6, largest_loading = 0.07;
 
 // "A:B:N": N loadings from A to B.
 std::vector<double> read_sweep(const std::string& text) {
-  std::istringstream in(text);
-  std::string part;
-  std::vector<std::string> parts;
-  while (std::getline(in, part, ':')) parts.push_back(part);
+  const std::vector<std::string> parts = io::split(text, ':');
   if (parts.size() != 3)
     throw io::UserError("--sweep: '" + text + "' is not A:B:N, such as 0.044:0.054:6");
   const double a = io::real_in_range("--sweep", parts[0], smallest_loading, largest_loading);
@@ -58,6 +54,7 @@ void read(Options& o) {
   if (scene.penalty.kind == flow::Penalty::plain) scene.penalty.lambda_p = 1e-8;
   if (o.lambda_p > 0) scene.penalty.lambda_p = o.lambda_p;
   scene.inertia = !o.no_inertia;
+  scene.regularises_pressure = !o.no_pressure_regularisation;
   for (const flow::Open open : {flow::Open::no, flow::Open::viscous, flow::Open::all})
     if (o.outflow == twod::name_of_outflow(open)) scene.open_outlet = open;
   if (!o.sweep.empty()) o.run.loadings = read_sweep(o.sweep);
@@ -106,37 +103,39 @@ int run(Options& options) {
   summary["sweep"] = nlohmann::json::array();
   for (const auto& measures : sweep.reached_loadings())
     summary["sweep"].push_back(twod::as_json(measures));
-  if (!sweep.reached_loadings().empty()) summary["results"] = summary["sweep"].back();
+  if (reached_all) summary["results"] = summary["sweep"].back();
 
-  // 4. The files.
-  folder.write("summary.json", summary.dump(2) + "\n");
-  folder.write("sweep.pvd", io::to_pvd(sweep.series()));
+  // 4. The files, the summary last: where it is, the others are. Those of a path that failed say
+  // how it went.
   std::vector<io::Figure> figures;
-  if (!sweep.records().empty()) {  // none if all was reached before --resume
+  std::string written = " summary.json sweep.pvd";
+  folder.write("sweep.pvd", io::to_pvd(sweep.series()));
+  if (!sweep.records().empty()) {  // none if no path set out
     folder.write("path.csv", io::to_csv(twod::path_table(sweep.records())));
     figures.push_back(twod::path_figure(sweep.records()));
+    written += " path.csv";
   }
   if (!sweep.reached_loadings().empty()) {
+    figures.push_back(twod::drag_figure(sweep.reached_loadings(), options.run.confining_pressures));
+    written += " sweep.csv";
+  }
+  if (reached_all) {
     folder.write("perimeter.csv",
                  io::to_csv(twod::perimeter_table(sweep.cylinder(), sweep.state())));
     figures.push_back(twod::perimeter_figure(sweep.cylinder(), sweep.state()));
-    figures.push_back(twod::drag_figure(sweep.reached_loadings(), options.run.confining_pressures));
+    written += " perimeter.csv";
   }
-  bool drawn = options.plot;
-  for (const io::Figure& figure : figures)
-    drawn =
-        drawn && io::write_figure(folder, figure, "svg") && io::write_figure(folder, figure, "png");
+  if (options.plot) written += io::draw(folder, figures);
+  folder.write("summary.json", summary.dump(2) + "\n");
   std::cout << sweep.factorisations() << " factorisations, " << sweep.folds() << " folds, "
-            << io::rounded(watch.seconds(), 3) << " s; results in " << folder.path().string()
-            << ": summary.json path.csv sweep.pvd"
-            << (sweep.reached_loadings().empty() ? "" : " sweep.csv perimeter.csv")
-            << (drawn ? ", figures as .svg and .png" : "") << '\n';
+            << io::rounded(watch.seconds(), 3) << " s; results in " << folder.path().string() << ":"
+            << written << '\n';
   if (reached_all) return 0;
   std::cerr << "cylinder: " << solve::name_of(sweep.end())
             << " at F = " << io::rounded(sweep.cylinder().flow().load_factor(), 8)
             << ", λr = " << io::rounded(sweep.cylinder().flow().rheology().lambda_r, 4) << " after "
-            << sweep.folds() << (sweep.folds() == 1 ? " fold" : " folds") << ": see path.csv; "
-            << advice_for(options) << '\n';
+            << sweep.folds() << (sweep.folds() == 1 ? " fold" : " folds")
+            << (sweep.records().empty() ? ": " : ": see path.csv; ") << advice_for(options) << '\n';
   return 1;
 }
 
@@ -148,7 +147,8 @@ int main(int argc, char** argv) {
   CLI::Option* loading =
       io::add_reals(app, "--loading", o.run.loadings, "Loadings F = φρgD/p_ext, one or several",
                     smallest_loading, largest_loading);
-  app.add_option("--sweep", o.sweep, "N loadings from A to B instead, as A:B:N")->excludes(loading);
+  io::add_text(app, "--sweep", o.sweep, "N loadings from A to B instead, as A:B:N")
+      ->excludes(loading);
   io::add_integer(app, "--around", o.run.scene.mesh.around,
                   "Elements around the whole cylinder, a multiple of 8", 16, 640);
   io::add_real(app, "--first-layer", o.run.scene.mesh.first_layer,
@@ -167,10 +167,10 @@ int main(int argc, char** argv) {
   io::add_real(app, "--pressure-floor", o.run.scene.pressure_floor,
                "Eq. (16) takes this for λr if it is larger, in p_ext; a grain layer weighs 0.005",
                0, 1);
-  app.add_flag("!--no-pressure-regularisation", o.run.scene.regularises_pressure,
+  app.add_flag("--no-pressure-regularisation", o.no_pressure_regularisation,
                "No eq. (16): where the pressure is negative there is no friction at all");
-  app.add_option("--friction", o.friction,
-                 "Friction law mu_s,delta_mu,I0 [each 0.001 ... 10; default 0.4,0.25,0.3]");
+  io::add_text(app, "--friction", o.friction,
+               "Friction law mu_s,delta_mu,I0 [each 0.001 ... 10; default 0.4,0.25,0.3]");
   io::add_choice(app, "--penalty", o.penalty,
                  "Iterated (none is left in the result), or the paper's plain one",
                  {"iterated", "plain"});
@@ -189,11 +189,14 @@ int main(int argc, char** argv) {
   io::add_integer(app, "--max-points", o.run.max_points, "Points of one path at most", 2, 100000);
   io::add_reals(app, "--confining-pressure", o.run.confining_pressures,
                 "p_ext in φρgD, for the Froude numbers", 0.01, 1000);
-  app.add_option("--output", o.output, "Folder for the results")->capture_default_str();
+  io::add_text(app, "--output", o.output, "Folder for the results");
   app.add_flag("--resume", o.run.resume,
                "Go on from the last accepted state in the folder, with another --continuation too");
   app.add_flag("--plot", o.plot, "Draw the figures (data, gnuplot script, SVG and PNG)");
   return io::run_program(app, argc, argv, [&] {
+    io::refuse_unused(
+        app,
+        {{{"--pressure-floor"}, !o.no_pressure_regularisation, "--no-pressure-regularisation"}});
     auto& mesh = o.run.scene.mesh;
     if (app.count("--first-layer") == 0)
       mesh.first_layer = twod::refined_to(mesh.around).first_layer;

@@ -17,6 +17,15 @@ std::string file_of(std::size_t number) {
   return "flow_" + std::string(4 - std::min<std::size_t>(4, digits.size()), '0') + digits + ".vtu";
 }
 
+// Whatever a run can leave, the program's tables and figures included.
+std::vector<std::string> files() {
+  std::vector<std::string> names = {"summary.json", "sweep.csv", "sweep.pvd", "path.csv",
+                                    "perimeter.csv"};
+  for (const char* figure : {"path", "perimeter", "drag"})
+    for (const std::string& file : io::files_of(figure)) names.push_back(file);
+  return names;
+}
+
 // What is solved, without how paths lead there: that may change from one run to the next.
 nlohmann::json without_ways(nlohmann::json parameters) {
   for (const char* way : {"continuation", "route"}) parameters.erase(way);
@@ -34,6 +43,7 @@ CylinderSweep::CylinderSweep(const SweepOptions& options, const io::ResultFolder
 }
 
 bool CylinderSweep::run() {
+  if (!options_.resume) start_anew();
   if (options_.resume && !resume()) return false;
   for (; reached() < options_.loadings.size(); finish_loading()) {
     const double target = options_.loadings[reached()];
@@ -98,20 +108,30 @@ void CylinderSweep::save(const std::string& stage, double target,
   program::write_checkpoint(folder_, checkpoint_name, {notes, start});
 }
 
+void CylinderSweep::start_anew() const {
+  folder_.remove_older(files());
+  folder_.remove_older({checkpoint_name, "flow_[0-9][0-9][0-9][0-9].vtu"});
+}
+
 // Goes on with the path that was interrupted; false if it does not reach its target either.
 bool CylinderSweep::resume() {
   const auto file = folder_.path() / checkpoint_name;
   auto checkpoint = program::read_checkpoint(file);
-  if (!checkpoint) return true;
+  if (!checkpoint) {
+    start_anew();
+    return true;
+  }
   const nlohmann::json& notes = checkpoint->notes;
   const nlohmann::json& parameters = notes.at("parameters");
   if (without_ways(parameters) != without_ways(parameters_))
     throw io::UserError("--resume: '" + file.string() +
                         "' belongs to a run with other options; give those, or another --output");
+  folder_.remove_older(files());
   for (const auto& each : notes.at("sweep")) {
     sweep_.push_back(measures_from(each));
     series_.push_back({sweep_.back().loading, file_of(sweep_.size())});
   }
+  if (!sweep_.empty()) write_sweep();
   for (const auto& each : notes.at("path")) records_.push_back(record_from(each));
   const std::string stage = notes.at("stage");
   const double target = notes.at("target");
@@ -152,6 +172,10 @@ bool CylinderSweep::accept(CylinderPath path) {
   return end_ == solve::PathEnd::target_reached;
 }
 
+void CylinderSweep::write_sweep() const {
+  folder_.write("sweep.csv", io::to_csv(sweep_table(sweep_, options_.confining_pressures)));
+}
+
 // A loading is reached: Newton down to round-off, measures and fields.
 void CylinderSweep::finish_loading() {
   solve::newton(
@@ -161,7 +185,7 @@ void CylinderSweep::finish_loading() {
   const CylinderMeasures& m = sweep_.back();
   series_.push_back({m.loading, file_of(sweep_.size())});
   folder_.write(series_.back().file, io::to_vtu(grid(cylinder_, state_)));
-  folder_.write("sweep.csv", io::to_csv(sweep_table(sweep_, options_.confining_pressures)));
+  write_sweep();
   std::cout << "F = " << io::rounded(m.loading, 6) << ": U = " << io::rounded(m.mean_velocity, 6)
             << ", drag " << io::rounded(m.drag, 6) << " (traction "
             << io::rounded(m.drag_traction, 6) << "), smallest pressure "

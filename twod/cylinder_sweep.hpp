@@ -30,7 +30,8 @@ class CylinderSweep {
   /// Both must outlive the sweep.
   CylinderSweep(const SweepOptions& options, const io::ResultFolder& folder);
 
-  /// Reaches one loading after the other; true if all were. Every loading reached writes its fields
+  /// Removes what an older run left, but for what --resume goes on from. Reaches one loading after
+  /// the other; true if all were. Every loading reached writes its fields
   /// and sweep.csv. Throws io::UserError if the checkpoint belongs to another run.
   bool run();
 
@@ -53,8 +54,10 @@ class CylinderSweep {
   CylinderObserver observer(const std::string& stage, double target);
   void save(const std::string& stage, double target,
             const solve::PathStart<CylinderFlow::State>& start) const;
+  void start_anew() const;
   bool resume();
   bool accept(CylinderPath path);
+  void write_sweep() const;
   void finish_loading();
 
   const SweepOptions& options_;

@@ -8,7 +8,6 @@
 namespace talus::twod {
 
 nlohmann::json summary(const SectionSolution& solution, const flow::CrossSection<2>& space) {
-  const SurfaceProfile surface = surface_profile(solution, space);
   nlohmann::json all;
   program::add_outcome(all, solution);
   for (const MeshCost& cost : solution.meshes)
@@ -16,6 +15,9 @@ nlohmann::json summary(const SectionSolution& solution, const flow::CrossSection
                              {"status", solve::name_of(cost.end)},
                              {"iterations", cost.iterations},
                              {"seconds", cost.seconds}});
+  all["results"] = nlohmann::json::object();
+  if (!solve::is_success(solution.end)) return all;
+  const SurfaceProfile surface = surface_profile(solution, space);
   all["results"] = {{"flow_rate", flow_rate(solution, space)},
                     {"angle", solution.section.angle},
                     {"surface_velocity", surface.velocity.front()},

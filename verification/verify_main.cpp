@@ -18,7 +18,9 @@ namespace {
 std::vector<verification::Study> chosen_studies(const std::vector<std::string>& names) {
   std::vector<verification::Study> chosen;
   std::string known;
+  std::vector<std::string> all;
   for (const auto& study : verification::studies()) {
+    all.push_back(study.name);
     known += (known.empty() ? "" : ", ") + study.name;
     if (names.empty() || std::find(names.begin(), names.end(), study.name) != names.end())
       chosen.push_back(study);
@@ -26,7 +28,8 @@ std::vector<verification::Study> chosen_studies(const std::vector<std::string>& 
   for (const std::string& name : names)
     if (std::none_of(chosen.begin(), chosen.end(),
                      [&](const auto& study) { return study.name == name; }))
-      throw io::UserError("STUDY: '" + name + "' is none of: " + known);
+      throw io::UserError("STUDY: '" + name + "' is none of: " + known +
+                          io::did_you_mean(name, all));
   return chosen;
 }
 
@@ -43,14 +46,16 @@ int main(int argc, char** argv) {
   app.add_option("STUDY", names, "Studies to run (all if none is named)");
   app.add_flag("--full", full, "Finer meshes and sweeps");
   app.add_flag("--list", list, "Only list the studies");
-  app.add_option("--output", output, "Folder for the report and its files")->capture_default_str();
+  io::add_text(app, "--output", output, "Folder for the report and its files");
   return io::run_program(app, argc, argv, [&] {
+    io::refuse_unused(app, {{{"--full", "--output"}, !list, "--list"}});
     const auto chosen = chosen_studies(names);
     if (list) {
       for (const auto& study : chosen) std::cout << study.name << "\t" << study.question << '\n';
       return 0;
     }
     const io::ResultFolder folder(output);
+    folder.remove_older({"index.html"});
     std::vector<verification::Written> chapters;
     {
       io::Progress progress;

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
-#include <gnuplot-iostream.h>
-
+#include "common/io/gnuplot.hpp"
 #include "common/io/table.hpp"
 
 namespace talus::io {
@@ -108,11 +106,6 @@ std::string panel_script(const Panel& panel, const std::string& data, std::size_
 
 }  // namespace
 
-bool gnuplot_is_available() {
-  static const bool available = std::system("command -v gnuplot >/dev/null 2>&1") == 0;
-  return available;
-}
-
 std::string figure_data(const Figure& figure) {
   std::string data;
   for (const Panel& panel : figure.panels) {
@@ -141,7 +134,8 @@ std::string figure_data(const Figure& figure) {
   return data;
 }
 
-std::string figure_script(const Figure& figure, const std::string& format) {
+std::string figure_script(const Figure& figure, const std::string& format,
+                          const std::string& image) {
   const int columns = columns_of(figure);
   const int rows = (static_cast<int>(figure.panels.size()) + columns - 1) / columns;
   const std::string size =
@@ -150,7 +144,7 @@ std::string figure_script(const Figure& figure, const std::string& format) {
   script += format == "png" ? "set terminal pngcairo size " + size + " font 'Sans,11' enhanced\n"
                             : "set terminal svg size " + size +
                                   " dynamic font 'Helvetica,13' enhanced background rgb 'white'\n";
-  script += "set output " + quoted(figure.name + "." + format) + "\n";
+  script += "set output " + quoted(image.empty() ? figure.name + "." + format : image) + "\n";
   script += "set multiplot layout " + std::to_string(rows) + "," + std::to_string(columns) + "\n";
   std::size_t block = 0;
   for (const Panel& panel : figure.panels)
@@ -158,17 +152,41 @@ std::string figure_script(const Figure& figure, const std::string& format) {
   return script + "unset multiplot\nset output\n";
 }
 
-bool write_figure(const ResultFolder& folder, const Figure& figure, const std::string& format) {
-  folder.write(figure.name + ".dat", figure_data(figure));
+std::string write_figure(const ResultFolder& folder, const Figure& figure,
+                         const std::string& format, std::chrono::milliseconds limit) {
+  const std::string image = figure.name + "." + format;
+  folder.remove_older({image});
+  const std::string data = figure_data(figure);
+  limit += std::chrono::milliseconds(data.size() / 1000);
+  folder.write(figure.name + ".dat", data);
   folder.write(figure.name + ".gp", figure_script(figure, format));
-  if (!gnuplot_is_available()) return false;
-  {
-    Gnuplot gnuplot;
-    gnuplot << "cd " << quoted(folder.path().string()) << "\nload " << quoted(figure.name + ".gp")
-            << std::endl;
-  }  // waits for gnuplot to end
-  const auto image = folder.path() / (figure.name + "." + format);
-  return std::filesystem::exists(image) && std::filesystem::file_size(image) > 0;
+  const auto drawn = folder.unfinished(image);
+  std::string failure =
+      run_gnuplot(folder.path(), figure_script(figure, format, drawn.filename()), limit);
+  std::error_code error;
+  if (failure.empty() && (std::filesystem::file_size(drawn, error) == 0 || error))
+    failure = "gnuplot drew nothing";
+  if (failure.empty())
+    folder.publish(image);
+  else
+    std::filesystem::remove(drawn, error);
+  return failure;
+}
+
+std::string draw(const ResultFolder& folder, const std::vector<Figure>& figures) {
+  std::string drawn;
+  for (const Figure& figure : figures)
+    for (const char* format : {"png", "svg"}) {
+      const std::string failure = write_figure(folder, figure, format);
+      if (!failure.empty())
+        return drawn + " (no " + figure.name + "." + format + ": " + failure + ")";
+      drawn += " " + figure.name + "." + format;
+    }
+  return drawn;
+}
+
+std::vector<std::string> files_of(const std::string& figure) {
+  return {figure + ".dat", figure + ".gp", figure + ".svg", figure + ".png"};
 }
 
 }  // namespace talus::io

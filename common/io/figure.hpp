@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/io/gnuplot.hpp"
 #include "common/io/result_folder.hpp"
 
 namespace talus::io {
@@ -43,16 +44,26 @@ struct Figure {
   int columns = 2;
 };
 
-/// Whether gnuplot can be run at all.
-bool gnuplot_is_available();
-
 /// The data file, blocks in the order of the curves.
 std::string figure_data(const Figure& figure);
-/// The script that draws `format` ("svg" or "png") from the data file.
-std::string figure_script(const Figure& figure, const std::string& format);
+/// The script that draws `format` ("svg" or "png") from the data file, to NAME.svg or NAME.png or
+/// to `image`.
+std::string figure_script(const Figure& figure, const std::string& format,
+                          const std::string& image = "");
 
-/// Writes NAME.dat and NAME.gp, and runs gnuplot for NAME.svg or NAME.png.
-/// Returns false where gnuplot is missing or drew nothing.
-bool write_figure(const ResultFolder& folder, const Figure& figure, const std::string& format);
+/// Writes NAME.dat and NAME.gp, and runs gnuplot for NAME.svg or NAME.png, which is there whole or
+/// not at all. Returns why it is not; empty if it is. Throws UserError if a file cannot be written.
+/// A tenth of a second is usual; gnuplot is killed after `limit`, and a second more for each
+/// megabyte of data.
+std::string write_figure(const ResultFolder& folder, const Figure& figure,
+                         const std::string& format,
+                         std::chrono::milliseconds limit = std::chrono::seconds(30));
+
+/// Draws the figures as PNG and SVG until one fails. Returns what a program says of it: a space and
+/// the name of every picture, then why the rest is missing, in brackets.
+std::string draw(const ResultFolder& folder, const std::vector<Figure>& figures);
+
+/// The files that a figure of that name can leave, for ResultFolder::remove_older.
+std::vector<std::string> files_of(const std::string& figure);
 
 }  // namespace talus::io

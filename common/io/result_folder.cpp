@@ -1,33 +1,87 @@
 #include "common/io/result_folder.hpp"
 
+#include <cerrno>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
+#include <fcntl.h>
+#include <fnmatch.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 namespace talus::io {
+namespace {
+
+const std::string part = ".part";
+
+void remove_quietly(const std::filesystem::path& file) {
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);
+}
+
+// The name that the file would have got, had it been finished.
+std::string finished(const std::string& name) {
+  const bool is_part = name.size() > 1 + part.size() && name[0] == '.' && name.ends_with(part);
+  return is_part ? name.substr(1, name.size() - 1 - part.size()) : name;
+}
+
+}  // namespace
 
 ResultFolder::ResultFolder(std::filesystem::path path) : path_(std::move(path)) {
   std::error_code error;
   std::filesystem::create_directories(path_, error);
-  if (!std::filesystem::is_directory(path_) || access(path_.c_str(), W_OK | X_OK) != 0)
+  if (!std::filesystem::is_directory(path_, error) || access(path_.c_str(), W_OK | X_OK) != 0)
     throw UserError("--output: '" + path_.string() + "' must be a folder that can be written to");
+  // A lock on the folder itself needs no file in it, and the kernel gives it back.
+  lock_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ >= 0 && flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    close(lock_);
+    throw UserError("--output: another run is writing to '" + path_.string() +
+                    "'; give this one another folder");
+  }
+}
+
+ResultFolder::~ResultFolder() {
+  if (lock_ >= 0) close(lock_);
+}
+
+void ResultFolder::remove_older(const std::vector<std::string>& patterns) const {
+  std::error_code error;
+  std::vector<std::filesystem::path> older;
+  for (auto entry = std::filesystem::directory_iterator(path_, error);
+       !error && entry != std::filesystem::directory_iterator(); entry.increment(error))
+    for (const std::string& pattern : patterns)
+      if (fnmatch(pattern.c_str(), finished(entry->path().filename().string()).c_str(), 0) == 0) {
+        older.push_back(entry->path());
+        break;
+      }
+  for (const auto& file : older)
+    if (!std::filesystem::is_directory(file, error) && !std::filesystem::remove(file, error))
+      throw UserError("--output: cannot remove '" + file.string() + "', which an earlier run left");
+}
+
+std::filesystem::path ResultFolder::unfinished(const std::string& name) const {
+  return path_ / ("." + name + part);
+}
+
+void ResultFolder::publish(const std::string& name) const {
+  std::error_code error;
+  std::filesystem::rename(unfinished(name), path_ / name, error);
+  if (!error) return;
+  remove_quietly(unfinished(name));
+  throw UserError("--output: cannot write '" + (path_ / name).string() + "'");
 }
 
 void ResultFolder::write(const std::string& name, const std::string& contents) const {
-  const auto target = path_ / name;
-  const auto temporary = path_ / ("." + name + ".part");
-  {
-    std::ofstream file(temporary, std::ios::binary);
-    file << contents;
-    file.close();
-    if (!file) {
-      std::error_code ignored;
-      std::filesystem::remove(temporary, ignored);
-      throw UserError("--output: cannot write '" + target.string() + "'");
-    }
+  std::ofstream file(unfinished(name), std::ios::binary);
+  file << contents;
+  file.close();
+  if (!file) {
+    remove_quietly(unfinished(name));
+    throw UserError("--output: cannot write '" + (path_ / name).string() + "'");
   }
-  std::filesystem::rename(temporary, target);
+  publish(name);
 }
 
 }  // namespace talus::io

@@ -1,9 +1,11 @@
-// The folder a run writes to. Files appear whole or not at all.
+// The folder a run writes to: one run at a time, and nothing in it that is older. Files appear
+// whole or not at all.
 #pragma once
 
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace talus::io {
 
@@ -14,15 +16,32 @@ struct UserError : std::runtime_error {
 
 class ResultFolder {
  public:
-  /// Creates the folder and its parents if need be. Throws UserError if it cannot be written to.
+  /// Creates the folder and its parents if need be, and holds it against other runs until it is
+  /// destroyed or the process (with those forked from it) ends. Throws UserError if it cannot be
+  /// written to or another run holds it. Where the file system knows no locks it is not held.
   explicit ResultFolder(std::filesystem::path path);
+  ~ResultFolder();
+  ResultFolder(const ResultFolder&) = delete;
+  ResultFolder& operator=(const ResultFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
+
+  /// Removes what an earlier run left: the files whose names match one of `patterns` (as in a
+  /// shell), and what it was killed writing of them. To be called when the input is known to be
+  /// good, with all the names that the program ever writes. Throws UserError.
+  void remove_older(const std::vector<std::string>& patterns) const;
+
   /// Writes to a temporary name, then renames. Throws UserError, e.g. on a full disk.
   void write(const std::string& name, const std::string& contents) const;
 
+  /// Where another program is to write a file that `publish` then gives its name.
+  std::filesystem::path unfinished(const std::string& name) const;
+  /// Renames. Throws UserError, and removes the unfinished file, where that fails.
+  void publish(const std::string& name) const;
+
  private:
   std::filesystem::path path_;
+  int lock_ = -1;
 };
 
 }  // namespace talus::io

@@ -1,7 +1,6 @@
 #include "common/program/method_options.hpp"
 
 #include <algorithm>
-#include <sstream>
 #include <thread>
 #include <vector>
 
@@ -30,8 +29,8 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
   add_regularisation(app, options.regularisation);
   io::add_real(app, "--lambda-r", options.lambda_r, "Regularisation parameter, in sqrt(g/d)", 1e-15,
                1);
-  app.add_option("--friction", options.friction,
-                 "Friction law mu_s,delta_mu,I0 [each 0.001 ... 10; default 0.383,0.26,0.279]");
+  io::add_text(app, "--friction", options.friction,
+               "Friction law mu_s,delta_mu,I0 [each 0.001 ... 10; default 0.383,0.26,0.279]");
   io::add_choice(app, "--precision", options.precision,
                  "Of Newton's iterate: double, or double with its rounding kept",
                  {"compensated", "plain"});
@@ -73,6 +72,17 @@ flow::ShearOptions shear_options(const MethodOptions& options, flow::ShearOption
   return result;
 }
 
+std::vector<io::Use> used_options(const MethodOptions& options, bool checks_jacobian) {
+  return {{{"--regularisation", "--lambda-r", "--precision", "--line-search", "--tangent",
+            "--no-continuation"},
+           options.method == "newton",
+           "--method interior-point; add --method newton"},
+          {{"--precision", "--line-search", "--no-continuation", "--tolerance", "--max-iterations",
+            "--output", "--plot"},
+           !checks_jacobian,
+           "--check-jacobian"}};
+}
+
 rheology::Regularisation limiting_law(const MethodOptions& options) {
   const flow::ShearOptions resolved = shear_options(options);
   return resolved.method == flow::Method::newton ? resolved.regularisation
@@ -86,8 +96,7 @@ rheology::FrictionLaw friction_law(const MethodOptions& options) {
 rheology::FrictionLaw friction_law(const std::string& text, rheology::FrictionLaw law) {
   if (text.empty()) return law;
   std::vector<double> numbers;
-  std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ',');)
+  for (const std::string& part : io::split(text, ','))
     numbers.push_back(io::real_in_range("--friction", part, 1e-3, 10));
   if (numbers.size() != 3)
     throw io::UserError("--friction: '" + text +

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "common/flow/shear_solver.hpp"
+#include "common/io/command_line.hpp"
 
 namespace talus::program {
 
@@ -30,6 +32,10 @@ void add_threads(CLI::App& app, int& threads);
 
 /// `defaults` for what the command line does not say.
 flow::ShearOptions shear_options(const MethodOptions& options, flow::ShearOptions defaults = {});
+
+/// Which of these options a run uses, for io::refuse_unused. The interior point solves eq. (4)
+/// itself, whatever the regularisation; --check-jacobian solves and writes nothing.
+std::vector<io::Use> used_options(const MethodOptions& options, bool checks_jacobian);
 
 /// The regularisation whose limiting law the results are to be compared with: eq. (4) for the
 /// interior point.

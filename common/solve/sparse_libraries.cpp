@@ -45,6 +45,7 @@ void prepare_sparse_libraries() {
   if (openblas_set_num_threads) openblas_set_num_threads(1);
   SuiteSparse_config.malloc_func = allocate;
   SuiteSparse_config.realloc_func = reallocate;
+  SuiteSparse_config.printf_func = nullptr;
 }
 
 }  // namespace talus::solve

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
 #include <utility>
 
+#include <Eigen/CholmodSupport>
 #include <SuiteSparse_config.h>
 #include <boost/test/unit_test.hpp>
 #include <omp.h>
+#include <unistd.h>
 
 // Of OpenBLAS; null with any other BLAS.
 extern "C" __attribute__((weak)) int openblas_get_num_threads();
@@ -40,4 +43,23 @@ BOOST_AUTO_TEST_CASE(large_blocks_begin_with_a_huge_page_and_keep_what_is_in_the
     BOOST_TEST(changed == 0U);
   }
   SuiteSparse_free(block);
+}
+
+BOOST_AUTO_TEST_CASE(a_factorisation_that_fails_prints_nothing) {
+  prepare_sparse_libraries();
+  Eigen::SparseMatrix<double> indefinite(2, 2);
+  indefinite.insert(0, 0) = 1;
+  indefinite.insert(1, 1) = -1;
+  std::fflush(stdout);
+  std::FILE* const captured = std::tmpfile();
+  BOOST_REQUIRE(captured != nullptr);
+  const int own = dup(STDOUT_FILENO);
+  dup2(fileno(captured), STDOUT_FILENO);
+  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>> cholesky(indefinite);
+  std::fflush(stdout);
+  dup2(own, STDOUT_FILENO);
+  close(own);
+  BOOST_TEST((cholesky.info() != Eigen::Success));
+  BOOST_TEST(lseek(fileno(captured), 0, SEEK_END) == 0);
+  std::fclose(captured);
 }

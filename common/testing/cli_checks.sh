@@ -8,6 +8,11 @@ failures=0 checks=0
 run() {
   rm -rf "$work/run"
   mkdir "$work/run"
+  run_again "$@"
+}
+
+# run_again PROGRAM OPTIONS...: in the folder of the last run.
+run_again() {
   (cd "$work/run" && exec "$@") >"$work/stdout" 2>"$work/stderr"
   code=$?
 }
@@ -36,6 +41,47 @@ expect_summary() {  # of the program named
   for key in scene model parameters status seconds results; do
     grep -q "^  \"$key\": " "$summary" || { echo "no key '$key' in summary.json"; return 1; }
   done
+}
+
+# leaves SCENE NAME...: these files and no other in the folder of its results.
+leaves() {
+  local folder=$work/run/results/$1 names
+  shift
+  names=$(ls -A "$folder" | tr '\n' ' ')
+  [ "$names" = "$(printf '%s\n' "$@" | sort | tr '\n' ' ')" ] || { echo "it left: $names"; return 1; }
+}
+
+# holds_one_run SCENE PROGRAM OPTIONS...: while another process holds the folder of its results a run
+# is refused and changes nothing there; --output is what to give.
+holds_one_run() {
+  local folder=$work/run/results/$1
+  shift
+  rm -rf "$work/run"
+  mkdir -p "$folder"
+  echo kept >"$folder/summary.json"
+  run_again flock "$folder" "$@"
+  expect_code 2 && expect_empty stdout && expect_text stderr --output "another run" || return 1
+  [ "$(cat "$folder/summary.json")" = kept ] || { echo "summary.json was touched"; return 1; }
+  run_again "$@"
+  expect_code 0
+}
+
+# says_when_stdout_is_full PROGRAM OPTIONS...
+says_when_stdout_is_full() {
+  run "$@"  # for an empty folder and stderr
+  (cd "$work/run" && exec "$@") >/dev/full 2>"$work/stderr"
+  code=$?
+  expect_code 1 && expect_text stderr stdout || return 1
+  [ "$(wc -l <"$work/stderr")" -eq 1 ] || { echo "stderr is not one line"; return 1; }
+}
+
+# with_gnuplot COMMANDS PROGRAM OPTIONS...: as run_again, with a shell script for gnuplot.
+with_gnuplot() {
+  mkdir -p "$work/gnuplot"
+  printf '#!/bin/sh\n%s\n' "$1" >"$work/gnuplot/gnuplot"
+  chmod +x "$work/gnuplot/gnuplot"
+  shift
+  PATH=$work/gnuplot:$PATH run_again "$@"
 }
 
 # succeeds SCENE PROGRAM OPTIONS...: exit 0, results written, nothing on stderr.

@@ -1,0 +1,129 @@
+#include "common/io/command_line.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+#include <set>
+
+#include "common/io/result_folder.hpp"
+
+namespace talus::io {
+namespace {
+
+bool is_option(const std::string& word) {
+  if (word.size() < 2 || word[0] != '-') return false;
+  return word[1] != '.' && std::isdigit(static_cast<unsigned char>(word[1])) == 0;
+}
+
+std::vector<std::string> names_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+// Levenshtein's: letters put in, left out or changed.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = std::exchange(row[j], std::min({change, row[j] + 1, row[j - 1] + 1}));
+    }
+  }
+  return row.back();
+}
+
+std::string quoted(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "'" : " '") + word + "'";
+  return list;
+}
+
+// The option of the words from `at` on, with its value or values; `at` is moved behind them.
+std::vector<std::string> read_option(const CLI::App& app, const std::vector<std::string>& words,
+                                     std::size_t& at) {
+  const std::string& word = words[at++];
+  const std::size_t equals = word.find('=');
+  const std::string name = word.substr(0, equals);
+  const CLI::Option* option = app.get_option_no_throw(name);
+  if (!option)
+    throw UserError(name + ": there is no such option" + did_you_mean(name, names_of(app)));
+  const int most = option->get_items_expected_max(), least = option->get_items_expected_min();
+  if (most == 0) {
+    if (equals != std::string::npos) throw UserError(name + ": it takes no value");
+    return {name};
+  }
+  std::vector<std::string> values;
+  if (equals != std::string::npos)
+    values.push_back(word.substr(equals + 1));
+  else
+    while (at < words.size() && !is_option(words[at]) && static_cast<int>(values.size()) < most)
+      values.push_back(words[at++]);
+  if (values.empty() && least > 0)
+    throw UserError(name + ": its value is missing" +
+                    (at < words.size() ? " before '" + words[at] + "'" : ""));
+  if (least == 0 && values == std::vector<std::string>{""})
+    throw UserError(name + ": '' is no value");
+  std::string value;
+  for (std::size_t i = 0; i < values.size(); ++i) value += (i == 0 ? "" : ",") + values[i];
+  return {name, value};
+}
+
+}  // namespace
+
+std::vector<std::string> well_formed(const CLI::App& app, const std::vector<std::string>& words) {
+  std::vector<std::string> parsed, others;
+  std::set<const CLI::Option*> given;
+  std::string last_option;
+  for (std::size_t at = 0; at < words.size();) {
+    if (words[at] == "--") {
+      others.insert(others.end(), words.begin() + static_cast<std::ptrdiff_t>(at) + 1, words.end());
+      break;
+    }
+    if (!is_option(words[at])) {
+      others.push_back(words[at++]);
+      continue;
+    }
+    const std::vector<std::string> option = read_option(app, words, at);
+    if (app.get_option(option[0]) == app.get_help_ptr()) return {option[0]};
+    if (!given.insert(app.get_option(option[0])).second)
+      throw UserError(option[0] + ": it is given twice");
+    parsed.insert(parsed.end(), option.begin(), option.end());
+    if (others.empty()) last_option = option[0];
+  }
+  if (others.empty()) return parsed;
+  const bool takes_words =
+      !app.get_options([](const CLI::Option* option) { return option->get_positional(); }).empty();
+  if (!takes_words)
+    throw UserError(quoted(others) +
+                    (others.size() == 1 ? " belongs to no option" : " belong to no option") +
+                    (last_option.empty() ? "" : ", nor to " + last_option + " before it"));
+  parsed.push_back("--");
+  parsed.insert(parsed.end(), others.begin(), others.end());
+  return parsed;
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& names) {
+  std::string nearest;
+  std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
+  for (const std::string& name : names) {
+    const bool is_beginning = word.size() > 2 && name.rfind(word, 0) == 0;
+    const std::size_t distance = is_beginning ? 0 : edit_distance(word, name);
+    if (distance >= std::min(least, std::max(word.size(), name.size()))) continue;
+    least = distance;
+    nearest = name;
+  }
+  return nearest.empty() ? "" : "; did you mean " + nearest + "?";
+}
+
+void refuse_unused(const CLI::App& app, const std::vector<Use>& table) {
+  for (const Use& use : table)
+    for (const std::string& option : use.options)
+      if (!use.is_used && app.count(option) > 0)
+        throw UserError(option + ": not used by " + use.not_used_by);
+}
+
+}  // namespace talus::io
