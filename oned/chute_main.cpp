@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   app.add_option("--align", align,
                  "Put the edge of the plug at this fraction of its element; alone: on a node "
                  "[0 ... 0.99]")
+      ->type_name("FLOAT")
       ->expected(0, 1);
   return io::run_program(app, argc, argv, [&] {
     chute.law = friction_law(options.method);

@@ -104,6 +104,34 @@ std::string panel_script(const Panel& panel, const std::string& data, std::size_
   return script + plots + "\n";
 }
 
+// To where `output` says.
+std::string script_to(const std::string& output, const Figure& figure, const std::string& format) {
+  const int columns = columns_of(figure);
+  const int rows = (static_cast<int>(figure.panels.size()) + columns - 1) / columns;
+  const std::string size =
+      std::to_string(columns * panel_width) + "," + std::to_string(rows * panel_height);
+  std::string script = "# gnuplot " + figure.name + ".gp\nset encoding utf8\n";
+  script += format == "png" ? "set terminal pngcairo size " + size + " font 'Sans,11' enhanced\n"
+                            : "set terminal svg size " + size +
+                                  " dynamic font 'Helvetica,13' enhanced background rgb 'white'\n";
+  script += "set output" + output + "\n";
+  script += "set multiplot layout " + std::to_string(rows) + "," + std::to_string(columns) + "\n";
+  std::size_t block = 0;
+  for (const Panel& panel : figure.panels)
+    script += panel_script(panel, quoted(figure.name + ".dat"), block);
+  return script + "unset multiplot\nset output\n";
+}
+
+// Gnuplot can die, or be a stand-in, without saying so.
+bool is_whole(const std::string& image, const std::string& format) {
+  const bool is_png = format == "png";
+  const std::string start = is_png ? "\x89PNG" : "<svg", end = is_png ? "IEND" : "</svg>";
+  const std::size_t first = image.find(start), last = image.rfind(end);
+  constexpr std::size_t most_after = 4;  // a checksum, or line breaks
+  return first != std::string::npos && last != std::string::npos && first < last &&
+         image.size() - last - end.size() <= most_after;
+}
+
 }  // namespace
 
 std::string figure_data(const Figure& figure) {
@@ -134,22 +162,8 @@ std::string figure_data(const Figure& figure) {
   return data;
 }
 
-std::string figure_script(const Figure& figure, const std::string& format,
-                          const std::string& image) {
-  const int columns = columns_of(figure);
-  const int rows = (static_cast<int>(figure.panels.size()) + columns - 1) / columns;
-  const std::string size =
-      std::to_string(columns * panel_width) + "," + std::to_string(rows * panel_height);
-  std::string script = "# gnuplot " + figure.name + ".gp\nset encoding utf8\n";
-  script += format == "png" ? "set terminal pngcairo size " + size + " font 'Sans,11' enhanced\n"
-                            : "set terminal svg size " + size +
-                                  " dynamic font 'Helvetica,13' enhanced background rgb 'white'\n";
-  script += "set output " + quoted(image.empty() ? figure.name + "." + format : image) + "\n";
-  script += "set multiplot layout " + std::to_string(rows) + "," + std::to_string(columns) + "\n";
-  std::size_t block = 0;
-  for (const Panel& panel : figure.panels)
-    script += panel_script(panel, quoted(figure.name + ".dat"), block);
-  return script + "unset multiplot\nset output\n";
+std::string figure_script(const Figure& figure, const std::string& format) {
+  return script_to(" " + quoted(figure.name + "." + format), figure, format);
 }
 
 std::string write_figure(const ResultFolder& folder, const Figure& figure,
@@ -160,17 +174,12 @@ std::string write_figure(const ResultFolder& folder, const Figure& figure,
   limit += std::chrono::milliseconds(data.size() / 1000);
   folder.write(figure.name + ".dat", data);
   folder.write(figure.name + ".gp", figure_script(figure, format));
-  const auto drawn = folder.unfinished(image);
-  std::string failure =
-      run_gnuplot(folder.path(), figure_script(figure, format, drawn.filename()), limit);
-  std::error_code error;
-  if (failure.empty() && (std::filesystem::file_size(drawn, error) == 0 || error))
-    failure = "gnuplot drew nothing";
-  if (failure.empty())
-    folder.publish(image);
-  else
-    std::filesystem::remove(drawn, error);
-  return failure;
+  // The picture comes to us: a full disk is ours to notice, and the file is whole or absent.
+  const GnuplotRun drawn = run_gnuplot(folder.path(), script_to("", figure, format), limit);
+  if (!drawn.failure.empty()) return drawn.failure;
+  if (!is_whole(drawn.output, format)) return "gnuplot drew no whole picture";
+  folder.write(image, drawn.output);
+  return {};
 }
 
 std::string draw(const ResultFolder& folder, const std::vector<Figure>& figures) {

@@ -46,10 +46,8 @@ struct Figure {
 
 /// The data file, blocks in the order of the curves.
 std::string figure_data(const Figure& figure);
-/// The script that draws `format` ("svg" or "png") from the data file, to NAME.svg or NAME.png or
-/// to `image`.
-std::string figure_script(const Figure& figure, const std::string& format,
-                          const std::string& image = "");
+/// The script that draws `format` ("svg" or "png") from the data file.
+std::string figure_script(const Figure& figure, const std::string& format);
 
 /// Writes NAME.dat and NAME.gp, and runs gnuplot for NAME.svg or NAME.png, which is there whole or
 /// not at all. Returns why it is not; empty if it is. Throws UserError if a file cannot be written.

@@ -1,7 +1,6 @@
 #include "common/io/gnuplot.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -10,9 +9,9 @@
 #include <sstream>
 #include <thread>
 
-#include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -33,13 +32,21 @@ class MemoryFile {
 
   int descriptor() const { return file_; }
   bool holds(const std::string& text) const {
-    return write(file_, text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
+    return ::write(file_, text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
            lseek(file_, 0, SEEK_SET) == 0;
   }
-  std::string beginning() const {
-    std::array<char, 4000> text{};
-    const ssize_t length = pread(file_, text.data(), text.size(), 0);
-    return {text.data(), static_cast<std::size_t>(std::max<ssize_t>(length, 0))};
+  std::string contents() const {
+    struct stat about {};
+    if (fstat(file_, &about) != 0) return {};
+    std::string all(static_cast<std::size_t>(about.st_size), '\0');
+    std::size_t have = 0;
+    while (have < all.size()) {
+      const ssize_t more =
+          pread(file_, all.data() + have, all.size() - have, static_cast<off_t>(have));
+      if (more <= 0) return {};
+      have += static_cast<std::size_t>(more);
+    }
+    return all;
   }
 
  private:
@@ -48,11 +55,11 @@ class MemoryFile {
 
 // Of the child: becomes gnuplot, leader of a group of processes.
 [[noreturn]] void become_gnuplot(const std::filesystem::path& folder, const MemoryFile& script,
-                                 const MemoryFile& complaint) {
+                                 const MemoryFile& output, const MemoryFile& complaint) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  const int nowhere = open("/dev/null", O_WRONLY);
-  if (dup2(complaint.descriptor(), STDERR_FILENO) >= 0 && dup2(nowhere, STDOUT_FILENO) >= 0 &&
+  if (dup2(complaint.descriptor(), STDERR_FILENO) >= 0 &&
+      dup2(output.descriptor(), STDOUT_FILENO) >= 0 &&
       dup2(script.descriptor(), STDIN_FILENO) >= 0 && chdir(folder.c_str()) == 0)
     execlp("gnuplot", "gnuplot", static_cast<char*>(nullptr));
   const char* const why = std::strerror(errno);
@@ -80,14 +87,14 @@ bool gnuplot_is_available() {
   return std::system("command -v gnuplot >/dev/null 2>&1") == 0;
 }
 
-std::string run_gnuplot(const std::filesystem::path& folder, const std::string& script,
-                        std::chrono::milliseconds limit) {
-  if (!gnuplot_is_available()) return "gnuplot is missing";
-  const MemoryFile input("script"), complaint("complaint");
-  if (!input.holds(script)) return "no memory for gnuplot's script";
+GnuplotRun run_gnuplot(const std::filesystem::path& folder, const std::string& script,
+                       std::chrono::milliseconds limit) {
+  if (!gnuplot_is_available()) return {"gnuplot is missing", ""};
+  const MemoryFile input("script"), output("output"), complaint("complaint");
+  if (!input.holds(script)) return {"no memory for gnuplot's script", ""};
   const pid_t process = fork();
-  if (process < 0) return "no process for gnuplot";
-  if (process == 0) become_gnuplot(folder, input, complaint);
+  if (process < 0) return {"no process for gnuplot", ""};
+  if (process == 0) become_gnuplot(folder, input, output, complaint);
   const auto end = Clock::now() + limit;
   int status = 0;
   while (waitpid(process, &status, WNOHANG) == 0) {
@@ -98,12 +105,13 @@ std::string run_gnuplot(const std::filesystem::path& folder, const std::string& 
     kill(-process, SIGKILL);
     kill(process, SIGKILL);  // had it not become a leader yet
     waitpid(process, &status, 0);
-    return "gnuplot took longer than " + rounded(std::chrono::duration<double>(limit).count(), 3) +
-           " s";
+    return {"gnuplot took longer than " + rounded(std::chrono::duration<double>(limit).count(), 3) +
+                " s",
+            ""};
   }
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
-  const std::string reason = reason_in(complaint.beginning());
-  return "gnuplot failed" + (reason.empty() ? "" : ": " + reason);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {"", output.contents()};
+  const std::string reason = reason_in(complaint.contents());
+  return {"gnuplot failed" + (reason.empty() ? "" : ": " + reason), ""};
 }
 
 }  // namespace talus::io

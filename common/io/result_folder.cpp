@@ -15,11 +15,6 @@ namespace {
 
 const std::string part = ".part";
 
-void remove_quietly(const std::filesystem::path& file) {
-  std::error_code ignored;
-  std::filesystem::remove(file, ignored);
-}
-
 // The name that the file would have got, had it been finished.
 std::string finished(const std::string& name) {
   const bool is_part = name.size() > 1 + part.size() && name[0] == '.' && name.ends_with(part);
@@ -61,27 +56,16 @@ void ResultFolder::remove_older(const std::vector<std::string>& patterns) const 
       throw UserError("--output: cannot remove '" + file.string() + "', which an earlier run left");
 }
 
-std::filesystem::path ResultFolder::unfinished(const std::string& name) const {
-  return path_ / ("." + name + part);
-}
-
-void ResultFolder::publish(const std::string& name) const {
-  std::error_code error;
-  std::filesystem::rename(unfinished(name), path_ / name, error);
-  if (!error) return;
-  remove_quietly(unfinished(name));
-  throw UserError("--output: cannot write '" + (path_ / name).string() + "'");
-}
-
 void ResultFolder::write(const std::string& name, const std::string& contents) const {
-  std::ofstream file(unfinished(name), std::ios::binary);
+  const auto target = path_ / name, unfinished = path_ / ("." + name + part);
+  std::ofstream file(unfinished, std::ios::binary);
   file << contents;
   file.close();
-  if (!file) {
-    remove_quietly(unfinished(name));
-    throw UserError("--output: cannot write '" + (path_ / name).string() + "'");
-  }
-  publish(name);
+  std::error_code error;
+  if (file) std::filesystem::rename(unfinished, target, error);
+  if (file && !error) return;
+  std::filesystem::remove(unfinished, error);
+  throw UserError("--output: cannot write '" + target.string() + "'");
 }
 
 }  // namespace talus::io

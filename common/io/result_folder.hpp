@@ -34,11 +34,6 @@ class ResultFolder {
   /// Writes to a temporary name, then renames. Throws UserError, e.g. on a full disk.
   void write(const std::string& name, const std::string& contents) const;
 
-  /// Where another program is to write a file that `publish` then gives its name.
-  std::filesystem::path unfinished(const std::string& name) const;
-  /// Renames. Throws UserError, and removes the unfinished file, where that fails.
-  void publish(const std::string& name) const;
-
  private:
   std::filesystem::path path_;
   int lock_ = -1;

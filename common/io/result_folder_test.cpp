@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(a_file_whose_name_a_folder_has_is_the_user_s_error_and_leav
 BOOST_AUTO_TEST_CASE(a_full_disk_leaves_no_torn_file) {
   const TemporaryFolder temporary;
   const ResultFolder folder(temporary.path());
-  std::filesystem::create_symlink("/dev/full", folder.unfinished("a.txt"));
+  std::filesystem::create_symlink("/dev/full", folder.path() / ".a.txt.part");
   BOOST_CHECK_THROW(folder.write("a.txt", std::string(100000, 'x')), UserError);
   BOOST_TEST(names_in(folder.path()).empty());
 }
@@ -139,15 +139,14 @@ BOOST_AUTO_TEST_CASE(gnuplot_that_fails_says_why_and_leaves_no_older_picture) {
              "gnuplot failed: line 3: bad");
   BOOST_TEST(leaves("exit 1") == "gnuplot failed");
   BOOST_TEST(leaves("kill -9 $$") == "gnuplot failed");
-  BOOST_TEST(leaves("cat >/dev/null") == "gnuplot drew nothing");
-  BOOST_TEST(leaves("touch .figure.svg.part") == "gnuplot drew nothing");
-  BOOST_TEST(leaves("echo half >.figure.svg.part; exit 1") == "gnuplot failed");
+  for (const std::string commands : {"cat >/dev/null", "echo hello", "echo '<svg>'; echo '<g>'"})
+    BOOST_TEST(leaves(commands) == "gnuplot drew no whole picture");
   BOOST_TEST(left == no_picture, boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(gnuplot_that_hangs_is_killed_with_what_it_started) {
   std::set<std::string> left;
-  BOOST_TEST(failure_with("echo half >.figure.svg.part; sleep 600 & sleep 600", &left) ==
+  BOOST_TEST(failure_with("echo '<svg>'; sleep 600 & sleep 600", &left) ==
              "gnuplot took longer than 0.3 s");
   BOOST_TEST(left == no_picture, boost::test_tools::per_element());
 }
@@ -163,12 +162,11 @@ BOOST_AUTO_TEST_CASE(a_missing_gnuplot_is_told_from_one_that_fails) {
 }
 
 BOOST_AUTO_TEST_CASE(a_picture_gets_its_name_when_it_is_whole) {
-  // Reads the script for the name it is to write; the old picture is gone by then.
   std::set<std::string> left;
   const std::string draws =
-      "out=$(sed -n \"s/^set output '\\(.*\\)'/\\1/p\"); ls -A | grep -c svg >count; "
-      "echo picture >\"$out\"; echo 'only a warning' >&2";
+      "ls -A | grep svg >seen; grep '^set output' >asked; echo '<svg>'; echo '</svg>'; "
+      "echo 'only a warning' >&2";
   BOOST_TEST(failure_with(draws, &left).empty());
-  const std::set<std::string> all = {"count", "figure.dat", "figure.gp", "figure.svg"};
+  const std::set<std::string> all = {"asked", "figure.dat", "figure.gp", "figure.svg", "seen"};
   BOOST_TEST(left == all, boost::test_tools::per_element());
 }
