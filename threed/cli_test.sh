@@ -108,7 +108,8 @@ check refuses --elements "''" -- "$heap" --elements ''
 check succeeds heap "$heap" --elements 07x010 --angle 23deg
 check expect_text run/results/heap/summary.json '"angle": 0.4014257279' "7,"
 cp "$work/run/results/heap/surface.csv" "$work/surface.csv"
-check succeeds heap "$heap" --elements 7x10 --angle 0.401425727958696
+radians=$(sed -n "s/.*\"angle\": \([0-9.]*\).*/\1/p" "$work/run/results/heap/summary.json" | head -n 1)
+check succeeds heap "$heap" --elements 7x10 --angle "$radians"
 check cmp "$work/surface.csv" "$work/run/results/heap/surface.csv"
 
 # A folder holds one run and nothing older.
