@@ -27,7 +27,7 @@ void ShearFlow<Dim>::set_lambda_r(double lambda_r) {
   rheology_.lambda_r = lambda_r;
   regularised_pressure_.clear();
   for (const double p : total_pressure_)
-    regularised_pressure_.push_back(rheology::regularise_pressure(p, lambda_r).value);
+    regularised_pressure_.push_back(rheology_.regularised_pressure(p).value);
 }
 
 template <int Dim>
@@ -41,7 +41,8 @@ auto ShearFlow<Dim>::tangent(const rheology::Viscosity& v, const Vector& g, std:
     typename Space::Tangent {
   const typename Space::Tangent isotropic = v.eta * Space::Tangent::Identity();
   const double shear_rate = g.norm();
-  if (shear_rate == 0 || tangent_term_ == TangentTerm::frozen) return isotropic;
+  // Without a viscosity (p_regu = 0) there is no slope either, and nothing to divide τ by.
+  if (shear_rate == 0 || v.eta == 0 || tangent_term_ == TangentTerm::frozen) return isotropic;
   const double slope = v.d_eta_d_shear_rate / shear_rate;
   if (tangent_term_ == TangentTerm::wrong_sign) return isotropic - slope * (g * g.transpose());
   if (tangent_term_ == TangentTerm::full || carried_stress_.empty())

@@ -265,3 +265,35 @@ BOOST_AUTO_TEST_CASE(a_compensated_iterate_reaches_what_a_plain_one_cannot) {
   BOOST_CHECK(summary.end == solve::End::converged);
   BOOST_TEST(summary.final_residual() <= 1e-12);
 }
+
+// Both families ask one law for η(|γ|, p_regu(p)): a floor of the pressure, or none at all,
+// included.
+BOOST_AUTO_TEST_CASE(the_stress_is_that_of_the_rheology_with_every_pressure_it_can_be_given) {
+  std::mt19937 random(5);
+  int below_the_floor = 0;
+  for (const auto& regularisation : rheology::regularisations())
+    for (const double floor : {0.0, 0.5, 5.0})
+      for (const bool regularises : {true, false}) {
+        Layer layer = plane_layer(0.406, 6);
+        const auto pressure = [](const auto& z) { return 9 - z[0]; };  // negative at the surface
+        rheology::Rheology rheology({}, regularisation, 1e-2);
+        rheology.pressure_floor = floor;
+        rheology.regularises_pressure = regularises;
+        ShearFlow<1> problem(layer.space, rheology, pressure, layer.body_force);
+        problem.set_lambda_r(rheology.lambda_r = 1e-3);
+        problem.set_tangent_term(TangentTerm::primal_dual);
+        const CompensatedVector w(random_forces(layer.space, random));
+        std::vector<Space::Vector> g;
+        layer.space.gradients(w, g);
+        problem.carry_stress_of(std::vector<Space::Vector>(g.size(), Space::Vector(0.3)));
+        problem.evaluate(w);
+        BOOST_TEST(problem.tangent_product(w).allFinite());
+        for (std::size_t k = 0; k < g.size(); ++k) {
+          const double p = pressure(layer.space.points()[k].position);
+          const double eta = rheology.evaluate(g[k].norm(), p).eta;
+          BOOST_TEST(problem.stress()[k][0] == eta * g[k][0], tolerance(1e-14));
+          below_the_floor += regularises && p < floor;
+        }
+      }
+  BOOST_TEST(below_the_floor > 0);
+}
