@@ -1,4 +1,9 @@
 // Boundary conditions of velocity-pressure flow, by the name of the boundary.
+//
+// Where boundaries meet, a node has the conditions of all of them, component by component: those
+// that agree are one; of those that do not the one of higher precedence holds, such as a velocity
+// that is given by position over the zero of a wall; a contradiction of equals is refused. Names
+// decide nothing.
 #pragma once
 
 #include <array>
@@ -25,15 +30,19 @@ struct BoundaryCondition {
   std::function<Vector(const Vector& position)> velocity = {};  ///< of fixed components; or zero
   std::function<Vector(const Vector& position, const Vector& normal)> traction = {};
   Open open = Open::no;
+  int precedence = 0;  ///< where another boundary prescribes another velocity
 };
 
 template <int Dim>
 using BoundaryConditions = std::map<std::string, BoundaryCondition<Dim>>;
 
+/// A velocity by position; it goes before the zeros of other conditions.
 template <int Dim>
 BoundaryCondition<Dim> prescribed_velocity(
-    std::function<Eigen::Matrix<double, Dim, 1>(const Eigen::Matrix<double, Dim, 1>&)> velocity) {
+    std::function<Eigen::Matrix<double, Dim, 1>(const Eigen::Matrix<double, Dim, 1>&)> velocity,
+    int precedence = 1) {
   BoundaryCondition<Dim> condition;
+  condition.precedence = precedence;
   condition.fixed.fill(true);
   condition.velocity = std::move(velocity);
   return condition;
@@ -41,7 +50,9 @@ BoundaryCondition<Dim> prescribed_velocity(
 
 template <int Dim>
 BoundaryCondition<Dim> no_slip() {
-  return prescribed_velocity<Dim>({});
+  BoundaryCondition<Dim> condition;
+  condition.fixed.fill(true);
+  return condition;
 }
 
 /// No flow through a plane normal to `axis`, no friction along it.

@@ -1,13 +1,14 @@
 #include "common/flow/cross_section.hpp"
 
 #include "common/flow/geometry.hpp"
+#include "common/flow/mesh_check.hpp"
 
 namespace talus::flow {
 
 template <int Dim>
 CrossSection<Dim>::CrossSection(Mesh<Dim> mesh, const std::string& friction_wall,
                                 int points_per_direction)
-    : mesh_(std::move(mesh)),
+    : mesh_(checked(std::move(mesh))),
       skeleton_(mesh_),
       interior_rows_(mesh_.elements.size()),
       interior_pivots_(mesh_.elements.size()) {

@@ -59,7 +59,7 @@ class CrossSection {
   };
 
   /// `friction_wall` names the boundary that slips with friction, if there is one (Dim > 1). Its
-  /// nodes must not be fixed.
+  /// nodes must not be fixed. Throws what checked() throws of a mesh.
   explicit CrossSection(Mesh<Dim> mesh, const std::string& friction_wall = {},
                         int points_per_direction = 3);
 

@@ -4,6 +4,9 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "common/flow/mesh_check.hpp"
+#include "common/flow/prescribed_velocities.hpp"
+
 namespace talus::flow {
 namespace {
 
@@ -30,7 +33,7 @@ std::vector<std::vector<std::size_t>> colour(const Mesh<Dim>& mesh) {
 template <int Dim>
 DenseSpace<Dim>::DenseSpace(Mesh<Dim> mesh, BoundaryConditions<Dim> conditions,
                             PressureBasis pressure_basis)
-    : mesh_(std::move(mesh)), conditions_(std::move(conditions)), kind_(pressure_basis) {
+    : mesh_(checked(std::move(mesh))), conditions_(std::move(conditions)), kind_(pressure_basis) {
   for (const auto& [name, faces] : mesh_.boundaries)
     if (!conditions_.contains(name))
       throw std::invalid_argument("boundary '" + name + "' has no condition");
@@ -45,20 +48,13 @@ DenseSpace<Dim>::DenseSpace(Mesh<Dim> mesh, BoundaryConditions<Dim> conditions,
 template <int Dim>
 void DenseSpace<Dim>::constrain() {
   fixed_.assign(static_cast<std::size_t>(velocity_count()), false);
+  for (const auto& [index, value] : prescribed_velocities(mesh_, conditions_)) {
+    fixed_[static_cast<std::size_t>(index)] = true;
+    if (value != 0) prescribed_.emplace_back(index, value);
+  }
   traction_load_ = Eigen::VectorXd::Zero(velocity_count());
   for (const auto& [name, condition] : conditions_)
     for (const Face& face : mesh_.boundaries.at(name)) {
-      for (const std::size_t local : face_nodes<Dim>(face.side)) {
-        const Eigen::Index node = mesh_.elements[face.element][local];
-        const Vector velocity =
-            condition.velocity ? condition.velocity(mesh_.nodes[static_cast<std::size_t>(node)])
-                               : Vector::Zero();
-        for (int i = 0; i < Dim; ++i) {
-          if (!condition.fixed[static_cast<std::size_t>(i)]) continue;
-          fixed_[static_cast<std::size_t>(velocity_index(node, i))] = true;
-          if (condition.velocity) prescribed_.emplace_back(velocity_index(node, i), velocity[i]);
-        }
-      }
       if (condition.open != Open::no) open_faces_.push_back({face, condition.open == Open::all});
       if (!condition.traction) continue;
       for (const auto& point : face_rule(mesh_, face)) {

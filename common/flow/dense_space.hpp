@@ -51,8 +51,8 @@ class DenseSpace {
     std::array<BatchPoint, points_per_element> points;
   };
 
-  /// Throws std::invalid_argument naming a boundary without a condition or a condition without
-  /// boundary.
+  /// Throws std::invalid_argument naming a boundary without a condition, a condition without
+  /// boundary or two that contradict each other, and what checked() throws of a mesh.
   DenseSpace(Mesh<Dim> mesh, BoundaryConditions<Dim> conditions,
              PressureBasis pressure_basis = PressureBasis::physical);
 
