@@ -29,6 +29,8 @@ char mark_of(solve::End end) {
       return 'N';
     case solve::End::no_steady_state:
       return 'U';
+    case solve::End::out_of_memory:
+      return 'M';
   }
   return '?';
 }

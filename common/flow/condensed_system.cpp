@@ -42,7 +42,8 @@ void CondensedSystem<Dim>::number_rows() {
     for (int i = 0; i < Dim; ++i) {
       const auto v = space_.velocity_index(static_cast<Eigen::Index>(node), i);
       if (space_.is_fixed(v)) continue;
-      row_of_velocity_[static_cast<std::size_t>(v)] = static_cast<int>(node_of_row_.size());
+      row_of_velocity_[static_cast<std::size_t>(v)] =
+          static_cast<Eigen::Index>(node_of_row_.size());
       node_of_row_.push_back(groups);
       has_rows = true;
     }
@@ -53,41 +54,41 @@ void CondensedSystem<Dim>::number_rows() {
 template <int Dim>
 void CondensedSystem<Dim>::make_pattern() {
   const auto& mesh = space_.mesh();
-  const auto size = static_cast<int>(node_of_row_.size());
+  const auto size = static_cast<Eigen::Index>(node_of_row_.size());
   rows_.resize(mesh.elements.size());
-  std::vector<std::vector<int>> elements_of(static_cast<std::size_t>(size));
+  std::vector<std::vector<std::size_t>> elements_of(static_cast<std::size_t>(size));
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
     for (std::size_t o = 0; o < outer; ++o) {
       const std::size_t place = outer_place<Dim>(o);
       const Eigen::Index node = mesh.elements[e][place / Dim];
-      const int row = row_of_velocity_[static_cast<std::size_t>(
+      const Eigen::Index row = row_of_velocity_[static_cast<std::size_t>(
           space_.velocity_index(node, static_cast<int>(place % Dim)))];
       rows_[e][o] = row;
-      if (row >= 0) elements_of[static_cast<std::size_t>(row)].push_back(static_cast<int>(e));
+      if (row >= 0) elements_of[static_cast<std::size_t>(row)].push_back(e);
     }
-  std::vector<int> starts{0}, indices, column;
-  for (int j = 0; j < size; ++j) {
+  std::vector<Eigen::Index> starts{0}, indices, column;
+  for (Eigen::Index j = 0; j < size; ++j) {
     column.clear();
-    for (const int e : elements_of[static_cast<std::size_t>(j)])
-      for (const int row : rows_[static_cast<std::size_t>(e)])
+    for (const std::size_t e : elements_of[static_cast<std::size_t>(j)])
+      for (const Eigen::Index row : rows_[e])
         if (row >= 0) column.push_back(row);
     std::ranges::sort(column);
     column.erase(std::ranges::unique(column).begin(), column.end());
     indices.insert(indices.end(), column.begin(), column.end());
-    starts.push_back(static_cast<int>(indices.size()));
+    starts.push_back(static_cast<Eigen::Index>(indices.size()));
   }
   const std::vector<double> zeros(indices.size(), 0.0);
   matrix_ = Eigen::Map<const solve::SparseLu::Matrix>(size, size, starts.back(), starts.data(),
                                                       indices.data(), zeros.data());
-  const auto first_row = [](const std::array<int, outer>& rows, std::size_t node) {
+  const auto first_row = [](const std::array<Eigen::Index, outer>& rows, std::size_t node) {
     const auto first = rows.begin() + static_cast<std::ptrdiff_t>(Dim * node);
-    const auto found = std::find_if(first, first + Dim, [](int row) { return row >= 0; });
-    return found == first + Dim ? -1 : *found;
+    const auto found = std::find_if(first, first + Dim, [](Eigen::Index row) { return row >= 0; });
+    return found == first + Dim ? Eigen::Index{-1} : *found;
   };
   places_.resize(mesh.elements.size());
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
     for (std::size_t b = 0; b < outer_nodes; ++b) {
-      const int j = first_row(rows_[e], b);
+      const Eigen::Index j = first_row(rows_[e], b);
       if (j < 0) continue;
       const auto first = indices.begin() + starts[static_cast<std::size_t>(j)];
       const auto last = indices.begin() + starts[static_cast<std::size_t>(j) + 1];
@@ -228,7 +229,7 @@ bool CondensedSystem<Dim>::solve(const Eigen::VectorXd& right_hand_side, Eigen::
     for (std::size_t lane = 0; lane < batch.count; ++lane) {
       const std::size_t e = batch.elements[lane];
       for (std::size_t o = 0; o < outer; ++o) {
-        const int row =
+        const Eigen::Index row =
             row_of_velocity_[static_cast<std::size_t>(velocity(e, outer_place<Dim>(o)))];
         if (row < 0) continue;
         for (std::size_t l = 0; l < local; ++l)

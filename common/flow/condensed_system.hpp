@@ -71,10 +71,10 @@ class CondensedSystem {
                const std::array<Pack, outer>& entries);
 
   const Space& space_;
-  std::vector<int> row_of_velocity_;  // -1: fixed or interior
+  std::vector<Eigen::Index> row_of_velocity_;  // -1: fixed or interior
   std::vector<int> node_of_row_;
   solve::SparseLu::Matrix matrix_;
-  std::vector<std::array<int, outer>> rows_;  // of an element's outer velocities
+  std::vector<std::array<Eigen::Index, outer>> rows_;  // of an element's outer velocities
   // Of an element, [b][a]: where the rows of outer node a begin in the columns of outer node b.
   std::vector<std::array<std::array<int, outer_nodes>, outer_nodes>> places_;
   std::vector<LocalFactors> factors_;  // per batch

@@ -191,14 +191,23 @@ PackTensor<Dim> excess_strain(const PointState<Dim>& at, const PackTensor<Dim>& 
   using std::experimental::sqrt;
   const PackTensor<Dim> gamma = rate_of_strain<Dim>(at.gradient);
   const Pack square = 0.5 * contract<Dim>(gamma, gamma);
-  const Pack x = 1 + at.shear_rate_slope * square / at.viscosity;
+  // Where p_regu = 0 there is no viscosity, and τ/η is 0/0. As p_regu → 0, |τ/η| <= |γ|(1 + x/2)
+  // stays bounded while the slope it is multiplied by goes to 0: whatever τ is, its part in the
+  // tangent vanishes. An excess of 0 says so.
+  const auto has_viscosity = at.viscosity > 0;
+  Pack viscosity = at.viscosity;
+  where(!has_viscosity, viscosity) = 1;
+  const Pack x = 1 + at.shear_rate_slope * square / viscosity;
   const Pack limit = at.viscosity * sqrt(square) * (1 + 0.5 * x);
   const Pack size =
       max(sqrt(0.5 * contract<Dim>(stress, stress)), Pack(std::numeric_limits<double>::min()));
-  const Pack share = min(limit / size, Pack(1)) / at.viscosity;
+  const Pack share = min(limit / size, Pack(1)) / viscosity;
   PackTensor<Dim> excess;
   for (std::size_t i = 0; i < Dim; ++i)
-    for (std::size_t j = 0; j < Dim; ++j) excess[i][j] = share * stress[i][j] - gamma[i][j];
+    for (std::size_t j = 0; j < Dim; ++j) {
+      excess[i][j] = share * stress[i][j] - gamma[i][j];
+      where(!has_viscosity, excess[i][j]) = 0;
+    }
   return excess;
 }
 

@@ -18,23 +18,28 @@ bool DenseFlow<Dim>::solve_linearised(const Eigen::VectorXd& right_hand_side, St
   if (!is_factored_ && linear_solver_ == LinearSolver::lagged && iterate(right_hand_side, x))
     return true;
   if (!is_factored_ && !factor()) return false;
-  // Refined until it no longer helps: this also takes the penalty out of the step.
+  // Refined while it helps: this also takes the penalty out of the step. The best of them counts.
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   constexpr int most_refinements = 4;
   constexpr double worthwhile = 0.1;
+  constexpr double useful = 0.1;  // what a step may leave of its right side
+  const double size = right_hand_side.norm();
   Eigen::VectorXd correction;
   if (!system_.solve(right_hand_side, correction)) return false;
-  x = State(correction);
-  double last = std::numeric_limits<double>::infinity();
-  for (int refinement = 0; refinement < most_refinements; ++refinement) {
-    const Eigen::VectorXd rest = right_hand_side - tangent_product(x);
-    const double norm = rest.norm();
-    if (norm > worthwhile * last || norm <= epsilon * right_hand_side.norm()) break;
-    last = norm;
-    if (!system_.solve(rest, correction)) return false;
-    x = x.moved(1, State(correction));
+  State trial(correction);
+  double least = std::numeric_limits<double>::infinity();
+  for (int refinement = 0;; ++refinement) {
+    const Eigen::VectorXd rest = right_hand_side - tangent_product(trial);
+    const double norm = rest.norm(), last = least;
+    if (!(norm < last)) break;
+    x = trial;
+    least = norm;
+    if (norm > worthwhile * last || norm <= epsilon * size || refinement == most_refinements ||
+        !system_.solve(rest, correction))
+      break;
+    trial = trial.moved(1, State(correction));
   }
-  return x.value().allFinite();
+  return least <= useful * size && x.value().allFinite();
 }
 
 template <int Dim>
@@ -97,7 +102,9 @@ Pack DenseFlow<Dim>::tangent_penalty(std::size_t batch) const {
     volume += space_.batches()[batch].points[q].weight;
   }
   const Pack size = Dim == 2 ? std::experimental::sqrt(volume) : std::experimental::cbrt(volume);
-  return penalty_.lambda_p * Space::points_per_element / (viscosity + inertia_ * speed * size);
+  Pack scale = viscosity + inertia_ * speed * size;
+  where(!(scale > 0), scale) = 1;  // neither friction nor motion: nothing to measure it by
+  return penalty_.lambda_p * Space::points_per_element / scale;
 }
 
 template <int Dim>

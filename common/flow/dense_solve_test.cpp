@@ -3,6 +3,8 @@
 
 #include "common/flow/dense_path.hpp"
 #include "common/flow/dense_test_problems.hpp"
+#include "common/solve/memory.hpp"
+#include "common/testing/allocation_limit.hpp"
 
 using namespace talus;
 using namespace talus::flow;
@@ -182,4 +184,87 @@ BOOST_AUTO_TEST_CASE(a_step_is_exact_where_negative_pressure_leaves_inertia_alon
   };
   BOOST_TEST(rest_of_step(DenseSpace<2>(awkward_mesh2(8, 8), mixed_conditions<2>())) < 1e-10);
   BOOST_TEST(rest_of_step(DenseSpace<3>(bricks(3), mixed_conditions<3>())) < 1e-10);
+}
+
+BOOST_AUTO_TEST_CASE(a_refinement_that_makes_it_worse_is_taken_back_and_a_useless_step_is_none) {
+  const DenseSpace<2> space(awkward_mesh2(4, 4), mixed_conditions<2>());
+  const auto state = state_of(space, {"", 1, 1, 0.5, 1});
+  int solved = 0, useless = 0, worse = 0;
+  for (const double sign : {1.0, -1.0})  // the wrong sign of the penalty: refinement may diverge
+    for (double lambda_p = 1e-4; lambda_p < 1e7; lambda_p *= 3) {
+      DenseFlow<2> flow(space, eq12, test_load<2>(1), {Penalty::iterated, sign * lambda_p});
+      const Eigen::VectorXd b = flow.evaluate(state).value;
+      solve::CompensatedVector x;
+      const bool is_solved = flow.linear_solve(b, x);
+      const auto left_by = [&](const Eigen::VectorXd& y) {
+        return (b - flow.tangent_product(solve::CompensatedVector(y))).norm();
+      };
+      Eigen::VectorXd first, correction;
+      if (!flow.system().solve(b, first)) continue;
+      const double unrefined = left_by(first);
+      flow.system().solve(b - flow.tangent_product(solve::CompensatedVector(first)), correction);
+      worse += left_by(first + correction) > unrefined;
+      useless += !is_solved;
+      if (!is_solved) continue;
+      ++solved;
+      const double left = (b - flow.tangent_product(x)).norm();
+      BOOST_TEST(left <= 0.1 * b.norm(), sign * lambda_p << " leaves " << left / b.norm());
+      BOOST_TEST(left <= unrefined * (1 + 1e-9), sign * lambda_p);
+    }
+  BOOST_TEST(solved > 5);
+  BOOST_TEST(useless > 5);
+  BOOST_TEST(worse > 0);  // it did happen
+}
+
+BOOST_AUTO_TEST_CASE(newton_ends_where_a_step_is_useless) {
+  const DenseSpace<2> space(awkward_mesh2(4, 4), mixed_conditions<2>());
+  const auto end = [&](double lambda_p) {
+    DenseFlow<2> flow(space, eq12, test_load<2>(1), {Penalty::iterated, lambda_p});
+    auto state = state_of(space, {"", 1, 1, 0.5, 1});
+    return solve::newton(flow, state, newton_options).end;
+  };
+  BOOST_TEST((end(1e6) == solve::End::linear_solver_failed), solve::name_of(end(1e6)));
+  BOOST_TEST((end(1e-4) != solve::End::linear_solver_failed), solve::name_of(end(1e-4)));
+}
+
+// Without eq. (16) there is no viscosity where the pressure is negative: what is carried beside it
+// must then vanish from the tangent, as it does in the limit of eq. (16), p_regu = λr²/(4|p|).
+BOOST_AUTO_TEST_CASE(a_carried_stress_leaves_the_tangent_with_the_viscosity) {
+  const DenseSpace<2> space(awkward_mesh2(5, 5), mixed_conditions<2>());
+  const auto stress = [](const Point<2>& x) {
+    return Eigen::Matrix2d({{x[0], 0.3}, {0.3, -x[0]}});
+  };
+  const auto direction = state_of(space, {"", 0.7, 1, 0.2, 1});
+  for (const auto& law : rheology::regularisations())
+    for (const double inertia : {1.0, 0.0}) {
+      auto state = state_of(space, {"", 1, 1, 0.5, 1});
+      for (std::size_t e = 0; e < space.element_count(); e += 3)
+        state.set(space.pressure_index(e, 0), -5);
+      rheology::Rheology without{{}, law, 1e-9};
+      without.regularises_pressure = false;
+      DenseFlow<2> limit(space, {{}, law, 1e-9}, test_load<2>(inertia)),
+          flow(space, without, test_load<2>(inertia));
+      for (DenseFlow<2>* each : {&limit, &flow}) {
+        each->carry_stress(stress);
+        each->evaluate(state);
+      }
+      const Eigen::VectorXd expected = limit.tangent_product(direction),
+                            product = flow.tangent_product(direction);
+      BOOST_REQUIRE(product.allFinite());
+      BOOST_TEST((product - expected).norm() < 1e-9 * expected.norm(), rheology::name_of(law));
+      if (inertia == 0) continue;  // nothing moves what has neither friction nor mass
+      solve::CompensatedVector x;
+      BOOST_REQUIRE(flow.linear_solve(product, x));
+      flow.carry_stress(stress);
+      BOOST_TEST((flow.tangent_product(x) - product).norm() < 1e-6 * product.norm(),
+                 rheology::name_of(law));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(lack_of_memory_is_no_end_of_newton_but_thrown) {
+  const DenseSpace<2> space(awkward_mesh2(12, 12), mixed_conditions<2>());
+  DenseFlow<2> flow(space, eq12, test_load<2>(1));
+  auto state = space.start();
+  const talus::testing::AllocationLimit limit(50000);
+  BOOST_CHECK_THROW(solve::newton(flow, state, newton_options), solve::OutOfMemory);
 }

@@ -1,12 +1,10 @@
 #include "common/flow/skeleton.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
-#include <Eigen/CholmodSupport>
-#include <Eigen/SparseCore>
-
-#include "common/solve/sparse_libraries.hpp"
+#include "common/solve/sparse_cholesky.hpp"
 
 namespace talus::flow {
 
@@ -54,7 +52,7 @@ bool Skeleton<1>::solve(const Eigen::VectorXd& force, solve::CompensatedVector& 
 }
 
 struct Skeleton<2>::System {
-  using Matrix = Eigen::SparseMatrix<double>;
+  using Matrix = solve::SparseCholesky::Matrix;
   static constexpr int outer_nodes = 8;
   static constexpr int pairs = outer_nodes * outer_nodes;
   static constexpr Eigen::Index none = -1;
@@ -62,7 +60,7 @@ struct Skeleton<2>::System {
   std::vector<Eigen::Index> free_nodes;              // of every row
   Matrix matrix;                                     // lower triangle
   std::vector<std::array<Eigen::Index, pairs>> map;  // place of an element's entries in the values
-  Eigen::CholmodSupernodalLLT<Matrix, Eigen::Lower> cholesky;
+  std::optional<solve::SparseCholesky> cholesky;
 };
 
 Skeleton<2>::~Skeleton() = default;
@@ -70,7 +68,6 @@ Skeleton<2>::Skeleton(Skeleton&&) noexcept = default;
 Skeleton<2>& Skeleton<2>::operator=(Skeleton&&) noexcept = default;
 
 Skeleton<2>::Skeleton(const Mesh<2>& mesh) : system_(std::make_unique<System>()) {
-  solve::prepare_sparse_libraries();
   System& s = *system_;
   constexpr std::size_t middle = 4;
   std::vector<Eigen::Index> row(mesh.nodes.size(), System::none);
@@ -92,11 +89,10 @@ Skeleton<2>::Skeleton(const Mesh<2>& mesh) : system_(std::make_unique<System>())
           action(a + System::outer_nodes * b, i, j);
       }
   };
-  std::vector<Eigen::Triplet<double>> pattern;
+  std::vector<Eigen::Triplet<double, System::Matrix::StorageIndex>> pattern;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
-    for_each_entry(e, [&](std::size_t, Eigen::Index i, Eigen::Index j) {
-      pattern.emplace_back(static_cast<int>(i), static_cast<int>(j), 0.0);
-    });
+    for_each_entry(
+        e, [&](std::size_t, Eigen::Index i, Eigen::Index j) { pattern.emplace_back(i, j, 0.0); });
   const auto size = static_cast<Eigen::Index>(s.free_nodes.size());
   s.matrix.resize(size, size);
   s.matrix.setFromTriplets(pattern.begin(), pattern.end());
@@ -107,7 +103,7 @@ Skeleton<2>::Skeleton(const Mesh<2>& mesh) : system_(std::make_unique<System>())
       s.map[e][place] = &s.matrix.coeffRef(i, j) - s.matrix.valuePtr();
     });
   }
-  s.cholesky.analyzePattern(s.matrix);
+  s.cholesky.emplace(s.matrix);
 }
 
 void Skeleton<2>::set_zero() {
@@ -121,22 +117,22 @@ void Skeleton<2>::add(std::size_t element, const Eigen::Matrix<double, 8, 8>& ma
 }
 
 bool Skeleton<2>::factor() {
-  system_->cholesky.factorize(system_->matrix);
-  return system_->cholesky.info() == Eigen::Success;
+  return system_->cholesky->factor(system_->matrix);
 }
 
 double Skeleton<2>::factor_entries() const {
-  return system_->cholesky.cholmod().lnz;
+  return system_->cholesky->factor_entries();
 }
 
 bool Skeleton<2>::solve(const Eigen::VectorXd& force, solve::CompensatedVector& velocity) const {
   Eigen::VectorXd b(system_->matrix.rows());
   for (Eigen::Index i = 0; i < b.size(); ++i)
     b[i] = force[system_->free_nodes[static_cast<std::size_t>(i)]];
-  const Eigen::VectorXd x = system_->cholesky.solve(b);
+  Eigen::VectorXd x;
+  if (!system_->cholesky->solve(b, x)) return false;
   for (Eigen::Index i = 0; i < b.size(); ++i)
     velocity.set(system_->free_nodes[static_cast<std::size_t>(i)], x[i]);
-  return system_->cholesky.info() == Eigen::Success && x.allFinite();
+  return true;
 }
 
 }  // namespace talus::flow

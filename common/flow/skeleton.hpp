@@ -58,7 +58,7 @@ class Skeleton<2> {
   /// Adds the condensed matrix of an element, rows in the order of its nodes without the middle
   /// one.
   void add(std::size_t element, const Eigen::Matrix<double, 8, 8>& matrix);
-  /// False if the matrix is not positive definite.
+  /// False if the matrix is not positive definite. Throws solve::OutOfMemory.
   bool factor();
   /// Entries of the factor, as analysed.
   double factor_entries() const;

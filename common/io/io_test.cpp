@@ -91,6 +91,21 @@ BOOST_AUTO_TEST_CASE(printed_columns_align_by_characters_not_bytes) {
   BOOST_TEST(out.str() == "title\n  λr    end\n  1e-6  a  \n");
 }
 
+BOOST_AUTO_TEST_CASE(lack_of_memory_is_named_with_what_to_try_and_exits_with_1) {
+  struct OfSolver : std::bad_alloc {
+    const char* what() const noexcept override { return "factors need 7 GB"; }
+  };
+  const Outcome plain = outcome_of({}, []() -> int { throw std::bad_alloc(); });
+  const Outcome of_solver = outcome_of({}, []() -> int { throw OfSolver(); });
+  for (const Outcome& outcome : {plain, of_solver}) {
+    BOOST_TEST(outcome.code == 1);
+    BOOST_TEST(outcome.message.find("program: out_of_memory: ") == 0U);
+    BOOST_TEST(outcome.message.find("fewer elements") != std::string::npos);
+  }
+  BOOST_TEST(plain.message.find("memory ran out") != std::string::npos);
+  BOOST_TEST(of_solver.message.find("factors need 7 GB") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(a_result_folder_is_created_and_holds_whole_files_only) {
   const TemporaryFolder temporary;
   const ResultFolder folder(temporary.path() / "deep" / "er");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <iostream>
+#include <new>
 #include <numbers>
 #include <optional>
 #include <type_traits>
@@ -205,6 +206,12 @@ int run_program(CLI::App& app, int argc, char** argv, const std::function<int()>
     std::cout << app.help();
   } catch (const UserError& error) {
     return complain(error.what(), 2);
+  } catch (const std::bad_alloc& error) {  // solve::OutOfMemory has more to say than its kin
+    const std::string what = error.what();
+    return complain(
+        "out_of_memory: " + (what == std::bad_alloc().what() ? "memory ran out" : what) +
+            "; try fewer elements, or a machine with more memory",
+        1);
   } catch (const std::exception& error) {
     return complain(error.what(), 1);
   }

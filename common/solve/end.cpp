@@ -23,6 +23,7 @@ constexpr std::array<Description, std::size(all_ends)> descriptions = {{
     {"non_finite",
      "try a mesh graded less; by Newton --line-search energy-slope or a larger --lambda-r"},
     {"no_steady_state", "lower the load below its limit"},
+    {"out_of_memory", "try fewer elements, or a machine with more memory"},
 }};
 
 const Description& description_of(End end) {

@@ -12,14 +12,15 @@ enum class End {
   line_search_failed,    ///< no acceptable step along the Newton direction
   linear_solver_failed,  ///< singular or useless factorisation
   non_finite,            ///< NaN or infinity in the residual
-  no_steady_state        ///< the load exceeds what the material can carry
+  no_steady_state,       ///< the load exceeds what the material can carry
+  out_of_memory          ///< told by what is thrown (memory.hpp): no other try takes less
 };
 
 /// Every end, in the order of the enumeration.
 inline constexpr End all_ends[] = {
     End::converged,          End::at_round_off_floor,   End::stagnated,
     End::line_search_failed, End::linear_solver_failed, End::non_finite,
-    End::no_steady_state};
+    End::no_steady_state,    End::out_of_memory};
 
 /// Only the first two ends are success.
 inline bool is_success(End end) {

@@ -4,25 +4,35 @@
 #include <array>
 #include <numeric>
 #include <stdexcept>
+#include <string>
+#include <type_traits>
 
 #include <cholmod.h>
 #include <umfpack.h>
 
+#include "common/solve/memory.hpp"
 #include "common/solve/sparse_libraries.hpp"
 
 namespace talus::solve {
 namespace {
 
+using Index = SparseLu::Matrix::StorageIndex;
+static_assert(std::is_same_v<Index, SuiteSparse_long>);
+
+std::string factors_of(const SparseLu::Matrix& matrix) {
+  return "by UMFPACK's upper bound the factors of " + std::to_string(matrix.rows()) + " unknowns";
+}
+
 // Nested dissection of the node graph; permutation[k] is the node eliminated k-th.
-std::vector<int> dissect(const SparseLu::Matrix& pattern, const std::vector<int>& node_of_row,
-                         int nodes) {
-  std::vector<Eigen::Triplet<double, int>> edges;
+std::vector<Index> dissect(const SparseLu::Matrix& pattern, const std::vector<int>& node_of_row,
+                           Index nodes) {
+  std::vector<Eigen::Triplet<double, Index>> edges;
   edges.reserve(static_cast<std::size_t>(pattern.nonZeros()) / 2);
-  int last_row = -1, last_column = -1;
-  for (int column = 0; column < pattern.outerSize(); ++column)
+  Index last_row = -1, last_column = -1;
+  for (Index column = 0; column < pattern.outerSize(); ++column)
     for (SparseLu::Matrix::InnerIterator entry(pattern, column); entry; ++entry) {
-      const int i = node_of_row[static_cast<std::size_t>(entry.row())];
-      const int j = node_of_row[static_cast<std::size_t>(column)];
+      const Index i = node_of_row[static_cast<std::size_t>(entry.row())];
+      const Index j = node_of_row[static_cast<std::size_t>(column)];
       if (i > j || (i == last_row && j == last_column)) continue;
       edges.emplace_back(last_row = i, last_column = j, 1.0);
     }
@@ -30,22 +40,26 @@ std::vector<int> dissect(const SparseLu::Matrix& pattern, const std::vector<int>
   graph.setFromTriplets(edges.begin(), edges.end());
 
   cholmod_common common;
-  cholmod_start(&common);
+  cholmod_l_start(&common);
+  common.print = 0;  // its status says it all
   cholmod_sparse view{};
   view.nrow = view.ncol = static_cast<std::size_t>(nodes);
   view.nzmax = static_cast<std::size_t>(graph.nonZeros());
   view.p = graph.outerIndexPtr();
   view.i = graph.innerIndexPtr();
   view.stype = 1;  // upper triangle
-  view.itype = CHOLMOD_INT;
+  view.itype = CHOLMOD_LONG;
   view.xtype = CHOLMOD_PATTERN;
   view.sorted = view.packed = 1;
-  std::vector<int> permutation(static_cast<std::size_t>(nodes));
+  std::vector<Index> permutation(static_cast<std::size_t>(nodes));
   // METIS separators, minimum degree within the parts: a tenth fewer operations than METIS alone.
-  std::vector<int> parents(permutation.size()), members(permutation.size());
-  const auto components = cholmod_nested_dissection(&view, nullptr, 0, permutation.data(),
-                                                    parents.data(), members.data(), &common);
-  cholmod_finish(&common);
+  std::vector<Index> parents(permutation.size()), members(permutation.size());
+  const auto components = cholmod_l_nested_dissection(&view, nullptr, 0, permutation.data(),
+                                                      parents.data(), members.data(), &common);
+  const int status = common.status;
+  cholmod_l_finish(&common);
+  if (status == CHOLMOD_OUT_OF_MEMORY)
+    throw OutOfMemory(factors_of(pattern), static_cast<double>(common.memory_usage));
   if (components < 0) std::iota(permutation.begin(), permutation.end(), 0);
   return permutation;
 }
@@ -60,7 +74,7 @@ struct SparseLu::Factors {
   const Matrix* matrix = nullptr;
 
   Factors() {
-    umfpack_di_defaults(control.data());
+    umfpack_dl_defaults(control.data());
     control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
     // A pivot off the diagonal breaks the order and fills the factors: with the default of 1e-3
     // they cost 2.5 times the operations on the heap. What small pivots lose, refinement gets back.
@@ -68,8 +82,14 @@ struct SparseLu::Factors {
     control[UMFPACK_IRSTEP] = 0;  // refinement is done with the residual of the whole problem
   }
   ~Factors() {
-    umfpack_di_free_numeric(&numeric);
-    umfpack_di_free_symbolic(&symbolic);
+    umfpack_dl_free_numeric(&numeric);
+    umfpack_dl_free_symbolic(&symbolic);
+  }
+  // UMFPACK's bound, known before it begins; the symmetric strategy takes a fifth of it.
+  double memory() const { return info[UMFPACK_PEAK_MEMORY_ESTIMATE] * info[UMFPACK_SIZE_OF_UNIT]; }
+  // Lack of memory is not the matrix's fault.
+  void check_memory(SuiteSparse_long status, const Matrix& of) const {
+    if (status == UMFPACK_ERROR_out_of_memory) throw OutOfMemory(factors_of(of), memory());
   }
   Factors(const Factors&) = delete;
   Factors& operator=(const Factors&) = delete;
@@ -82,17 +102,18 @@ SparseLu& SparseLu::operator=(SparseLu&&) noexcept = default;
 SparseLu::SparseLu(const Matrix& pattern, const std::vector<int>& node_of_row)
     : factors_(std::make_unique<Factors>()) {
   prepare_sparse_libraries();
-  const int nodes = node_of_row.empty() ? 0 : *std::ranges::max_element(node_of_row) + 1;
-  std::vector<std::vector<int>> rows_of(static_cast<std::size_t>(nodes));
+  const Index nodes = node_of_row.empty() ? 0 : *std::ranges::max_element(node_of_row) + 1;
+  std::vector<std::vector<Index>> rows_of(static_cast<std::size_t>(nodes));
   for (std::size_t row = 0; row < node_of_row.size(); ++row)
-    rows_of[static_cast<std::size_t>(node_of_row[row])].push_back(static_cast<int>(row));
-  std::vector<int> order;
-  for (const int node : dissect(pattern, node_of_row, nodes))
-    for (const int row : rows_of[static_cast<std::size_t>(node)]) order.push_back(row);
-  const auto size = static_cast<int>(pattern.rows());
-  const int status = umfpack_di_qsymbolic(
+    rows_of[static_cast<std::size_t>(node_of_row[row])].push_back(static_cast<Index>(row));
+  std::vector<Index> order;
+  for (const Index node : dissect(pattern, node_of_row, nodes))
+    for (const Index row : rows_of[static_cast<std::size_t>(node)]) order.push_back(row);
+  const Index size = pattern.rows();
+  const auto status = umfpack_dl_qsymbolic(
       size, size, pattern.outerIndexPtr(), pattern.innerIndexPtr(), nullptr, order.data(),
       &factors_->symbolic, factors_->control.data(), factors_->info.data());
+  factors_->check_memory(status, pattern);
   if (status != UMFPACK_OK)
     throw std::runtime_error("the sparse system could not be analysed (UMFPACK status " +
                              std::to_string(status) + ")");
@@ -100,11 +121,12 @@ SparseLu::SparseLu(const Matrix& pattern, const std::vector<int>& node_of_row)
 
 bool SparseLu::factor(const Matrix& matrix) {
   Factors& f = *factors_;
-  umfpack_di_free_numeric(&f.numeric);
+  umfpack_dl_free_numeric(&f.numeric);
   f.matrix = &matrix;
-  const int status =
-      umfpack_di_numeric(matrix.outerIndexPtr(), matrix.innerIndexPtr(), matrix.valuePtr(),
+  const auto status =
+      umfpack_dl_numeric(matrix.outerIndexPtr(), matrix.innerIndexPtr(), matrix.valuePtr(),
                          f.symbolic, &f.numeric, f.control.data(), f.info.data());
+  f.check_memory(status, matrix);
   return status == UMFPACK_OK;
 }
 
@@ -113,9 +135,10 @@ bool SparseLu::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
   if (!f.numeric) return false;
   x.resize(b.size());
   std::array<double, UMFPACK_INFO> info{};
-  const int status = umfpack_di_solve(UMFPACK_A, f.matrix->outerIndexPtr(),
-                                      f.matrix->innerIndexPtr(), f.matrix->valuePtr(), x.data(),
-                                      b.data(), f.numeric, f.control.data(), info.data());
+  const auto status = umfpack_dl_solve(UMFPACK_A, f.matrix->outerIndexPtr(),
+                                       f.matrix->innerIndexPtr(), f.matrix->valuePtr(), x.data(),
+                                       b.data(), f.numeric, f.control.data(), info.data());
+  f.check_memory(status, *f.matrix);
   return status == UMFPACK_OK && x.allFinite();
 }
 
@@ -123,7 +146,7 @@ int SparseLu::determinant_sign() const {
   if (!factors_->numeric) return 0;
   double mantissa = 0, exponent = 0;
   std::array<double, UMFPACK_INFO> info{};
-  umfpack_di_get_determinant(&mantissa, &exponent, factors_->numeric, info.data());
+  umfpack_dl_get_determinant(&mantissa, &exponent, factors_->numeric, info.data());
   return mantissa > 0 ? 1 : mantissa < 0 ? -1 : 0;
 }
 

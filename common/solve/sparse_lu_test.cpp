@@ -8,6 +8,9 @@
 #include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
 
+#include "common/solve/memory.hpp"
+#include "common/testing/allocation_limit.hpp"
+
 using namespace talus::solve;
 using boost::test_tools::tolerance;
 
@@ -143,6 +146,26 @@ BOOST_AUTO_TEST_CASE(a_singular_matrix_is_refused_and_a_regular_one_taken_again)
   BOOST_TEST(lu.determinant_sign() == 0);
   BOOST_TEST(lu.factor(grid.matrix));
   BOOST_TEST(distance_to_dense_solution(lu, grid.matrix) < 1e-10);
+}
+
+BOOST_AUTO_TEST_CASE(lack_of_memory_is_not_taken_for_a_singular_matrix) {
+  const GridMatrix grid = grid_matrix(25, 3, 4);
+  SparseLu lu(grid.matrix, grid.node_of_row);
+  {
+    const talus::testing::AllocationLimit limit(50000);
+    BOOST_CHECK_THROW(lu.factor(grid.matrix), OutOfMemory);
+  }
+  BOOST_REQUIRE(lu.factor(grid.matrix));  // once there is memory again
+  {
+    const talus::testing::AllocationLimit limit(100);
+    Eigen::VectorXd x;
+    BOOST_CHECK_THROW(lu.solve(right_hand_side(grid.matrix.rows()), x), OutOfMemory);
+  }
+  BOOST_TEST(distance_to_dense_solution(lu, grid.matrix) < 1e-10);
+}
+
+BOOST_AUTO_TEST_CASE(indices_have_64_bits) {
+  BOOST_TEST(sizeof(SparseLu::Matrix::StorageIndex) == 8U);
 }
 
 BOOST_AUTO_TEST_CASE(without_factors_nothing_is_solved) {
