@@ -129,6 +129,23 @@ check expect_text run/results/heap/summary.json '"results": {}' stagnated
 check holds_one_run heap "$heap" --elements 7x10
 check says_when_stdout_is_full "$heap" --elements 7x10
 
+# What does not fit into memory is refused before it begins, with the size that would; that one fits.
+with_memory() {  # KIB PROGRAM OPTIONS...
+  (ulimit -v "$1" && shift && exec "$@")
+}
+fitting() {  # the size that the last run said would fit
+  sed -n "s/.*available; \([0-9x]*\) would fit$/\1/p" "$work/stderr"
+}
+check refuses --elements "'900x1100'" GB available "would fit" -- \
+  with_memory 600000 "$heap" --elements 900x1100
+size=$(fitting)
+run with_memory 600000 "$heap" --elements "${size:-none}" --max-iterations 2
+check expect_code 1
+check expect_text stderr stagnated
+check refuses --elements "'46x46x46'" GB available "would fit" -- \
+  with_memory 600000 "$heap" --model 3d --elements 46x46x46
+check refuses --elements "'100000x100000'" -- "$heap" --elements 100000x100000
+
 # 4. The limits of existence.
 check has_no_steady_flow 0.571439 "$heap" --elements 3x4 --angle 0.7
 check has_no_steady_flow 0.571439 "$heap" --model 3d --elements 1x3x4 --angle 0.7

@@ -139,6 +139,7 @@ void write_files(const io::ResultFolder& folder, const Found& found, const nlohm
 int run(const CLI::App& app, Options& options) {
   // 1. The mesh of half the section.
   threed::interpret(app, options);
+  threed::admit(options);
   flow::CrossSection<2> space = twod::space_of(options.section, options.mesh.section);
   if (options.check_jacobian) return check_jacobian(options, space);
   const io::ResultFolder folder(options.output);

@@ -4,6 +4,7 @@
 
 #include "common/program/grading.hpp"
 #include "common/program/summary.hpp"
+#include "common/program/work.hpp"
 
 namespace talus::threed {
 namespace {
@@ -124,6 +125,34 @@ void interpret(const CLI::App& app, ProgramOptions& options) {
   program::check_grading("--grading-to-surface", section.grading_to_surface, section.up);
   options.section.law = program::friction_law(options.method);
   options.section.wall = options.wall == "friction" ? twod::Wall::friction : twod::Wall::no_slip;
+}
+
+namespace {
+
+// At a share of its size in every direction. Factorisations as they were counted from the default
+// starts (docs/heap.md); a search for the flow rate takes some solves of the section.
+program::Task task_at(const ProgramOptions& options, double share) {
+  const auto scaled = [&](int count) { return std::max(1, static_cast<int>(share * count)); };
+  const std::array<int, 2> section{scaled(options.mesh.section.across),
+                                   scaled(options.mesh.section.up)};
+  const bool is_interior_point = options.method.method == "interior-point";
+  const int searches = options.flow_rate > 0 ? 5 : 1;
+  program::Task task{
+      std::to_string(section[0]) + "x" + std::to_string(section[1]),
+      program::section_work(section, is_interior_point, searches * (is_interior_point ? 35 : 20))};
+  if (!options.is_3d()) return task;
+  const int along = scaled(options.mesh.along);
+  // In the first and the last layer of nodes only the velocity along the stream is free.
+  const double unknowns_per_node = 3 - 4. / (2 * along + 1);
+  task.value = std::to_string(along) + "x" + task.value;
+  task.work += program::dense_work({along, section[0], section[1]}, unknowns_per_node, 12);
+  return task;
+}
+
+}  // namespace
+
+void admit(const ProgramOptions& options) {
+  program::admit("heap", "--elements", [&](double share) { return task_at(options, share); });
 }
 
 Heap heap_of(const ProgramOptions& options) {

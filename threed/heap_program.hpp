@@ -30,6 +30,10 @@ void add_options(CLI::App& app, ProgramOptions& options);
 /// io::UserError for an option that the model has no use for, or for elements out of range.
 void interpret(const CLI::App& app, ProgramOptions& options);
 
+/// Says what the solve will take if that is much. Throws io::UserError if it does not fit into
+/// memory.
+void admit(const ProgramOptions& options);
+
 Heap heap_of(const ProgramOptions& options);
 HeapOptions heap_options(const ProgramOptions& options);
 flow::ShearOptions section_options(const ProgramOptions& options);

@@ -86,6 +86,13 @@ check refuses --max-points "'1'" -- "$cylinder" --max-points 1
 check refuses --output "'$work/file/below'" -- "$cylinder" --around 16 --output "$work/file/below"
 check refuses --frobnicate -- "$cylinder" --frobnicate
 
+with_memory() {  # KIB PROGRAM OPTIONS...
+  (ulimit -v "$1" && shift && exec "$@")
+}
+check refuses --around "'640'" GB available "would fit" -- \
+  with_memory 600000 "$cylinder" --around 640
+check refuses --around "'2000'" "16 ... 640" -- "$cylinder" --around 2000
+
 # 3. A solve that does not succeed says so.
 run "$cylinder" --around 16 --loading 0.052 --continuation natural  # beyond the yield load
 check expect_code 1

@@ -6,10 +6,13 @@
 //   cylinder --around 24 --sweep 0.044:0.052:3 --regularisation barker-gray --plot
 //   cylinder --around 16 --full --loading 0.03 --penalty plain --lambda-r 1e-4
 //   cylinder --around 16 --loading 0.044 --outflow open-viscous --outlet 8 --route lambda-r
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 
 #include "common/io/options.hpp"
 #include "common/program/method_options.hpp"
+#include "common/program/work.hpp"
 #include "common/solve/parallel.hpp"
 #include "common/solve/stopwatch.hpp"
 #include "twod/cylinder_sweep.hpp"
@@ -68,6 +71,21 @@ void read(Options& o) {
   o.run.route = o.route == "loading" ? twod::Route::loading : twod::Route::lambda_r;
 }
 
+// With so many elements around, at a share of what was asked for. From rest to a loading by the way
+// that is the default takes some 50 factorisations (docs/cylinder.md).
+program::Task task_at(const Options& options, double share) {
+  twod::CylinderMeshOptions mesh = options.run.scene.mesh;
+  mesh.around = std::max(16, static_cast<int>(share * mesh.around) / 8 * 8);
+  mesh.first_layer *= static_cast<double>(options.run.scene.mesh.around) / mesh.around;
+  const double elements = static_cast<double>(twod::element_count(mesh));
+  const double width = (mesh.full ? 2 : 1) * mesh.half_width;
+  const int across =
+      static_cast<int>(std::ceil(std::sqrt(elements * width / (mesh.half_height + mesh.outlet))));
+  return {std::to_string(mesh.around),
+          program::dense_work({across, static_cast<int>(std::ceil(elements / across)), 0}, 2,
+                              50 * static_cast<int>(options.run.loadings.size()))};
+}
+
 // What to try when a path does not arrive.
 std::string advice_for(const Options& options) {
   std::string advice = "a larger --lambda-r, or --max-points to follow the path further";
@@ -82,6 +100,7 @@ std::string advice_for(const Options& options) {
 int run(Options& options) {
   // 1. The scene: mesh, boundary conditions, law.
   read(options);
+  program::admit("cylinder", "--around", [&](double share) { return task_at(options, share); });
   solve::set_threads(options.threads);
   const io::ResultFolder folder(options.output);
   const solve::Stopwatch watch;

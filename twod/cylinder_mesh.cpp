@@ -49,6 +49,24 @@ flow::Mesh<2> o_grid_quarter(const CylinderMeshOptions& options) {
   return mesh;
 }
 
+// Elements on half a side of the block, and outside of it: as wide as the O-grid's outermost all
+// the way to the box.
+struct Divisions {
+  int per_side, columns, rows, outlet_rows;
+};
+
+Divisions divisions(const CylinderMeshOptions& options) {
+  assert(options.around >= 8 && options.around % 8 == 0 && options.half_block > radius);
+  const int per_side = options.around / 8;
+  const double block = options.half_block, size = block / per_side;
+  const double to_wall = options.half_width - block, to_top = options.half_height - block;
+  const int fewer = options.around == 160 ? 3 : 0;  // closer to the number of elements in the paper
+  const int columns = rounded(to_wall / size) - fewer, rows = rounded(to_top / size) - fewer;
+  const double to_outlet = options.outlet - block;
+  assert(columns >= 1 && rows >= 1 && to_outlet > 0);
+  return {per_side, columns, rows, std::max(1, rounded(rows * to_outlet / to_top))};
+}
+
 }  // namespace
 
 CylinderMeshOptions refined_to(int around, CylinderMeshOptions options) {
@@ -57,17 +75,17 @@ CylinderMeshOptions refined_to(int around, CylinderMeshOptions options) {
   return options;
 }
 
+std::size_t element_count(const CylinderMeshOptions& options) {
+  const auto [per_side, columns, rows, outlet_rows] = divisions(options);
+  const int in_grid = 2 * 2 * per_side * layers(options, options.half_block / per_side);
+  const int half = in_grid + 2 * per_side * columns + (per_side + columns) * (rows + outlet_rows);
+  return static_cast<std::size_t>(options.full ? 2 * half : half);
+}
+
 flow::Mesh<2> cylinder_mesh(const CylinderMeshOptions& options) {
-  assert(options.around >= 8 && options.around % 8 == 0 && options.half_block > radius);
-  // 1. Element boundaries: as wide as the O-grid's outermost all the way to the box.
-  const int per_side = options.around / 8;
-  const double block = options.half_block, size = block / per_side;
-  const double to_wall = options.half_width - block, to_top = options.half_height - block;
-  const int fewer = options.around == 160 ? 3 : 0;  // closer to the number of elements in the paper
-  const int columns = rounded(to_wall / size) - fewer, rows = rounded(to_top / size) - fewer;
-  const double to_outlet = options.outlet - block;
-  assert(columns >= 1 && rows >= 1 && to_outlet > 0);
-  const int outlet_rows = std::max(1, rounded(rows * to_outlet / to_top));
+  // 1. Element boundaries.
+  const auto [per_side, columns, rows, outlet_rows] = divisions(options);
+  const double block = options.half_block;
   Line across = fem::graded_line(0, block, per_side, 1);
   const Line outside = fem::graded_line(block, options.half_width, columns, 1);
   across.insert(across.end(), outside.begin() + 1, outside.end());

@@ -19,6 +19,9 @@ struct CylinderMeshOptions {
 /// Options for so many elements around, the first layer as much thinner or thicker as the others.
 CylinderMeshOptions refined_to(int around, CylinderMeshOptions options = {});
 
+/// How many elements that is.
+std::size_t element_count(const CylinderMeshOptions& options);
+
 /// The box |x| <= half_width, -outlet <= z <= half_height without the disc of diameter 1 at the
 /// origin, coordinates (x, z), nodes exactly on the circle. Boundaries: "cylinder", "wall"
 /// (|x| = half_width), "top" and "bottom" (ends in z), "symmetry" (x = 0, half the box only).

@@ -174,6 +174,18 @@ BOOST_AUTO_TEST_CASE(a_mesh_can_be_made_with_any_multiple_of_eight) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(elements_are_counted_without_making_them) {
+  for (const int around : {8, 16, 72, 160})
+    for (const bool full : {false, true})
+      for (const double outlet : {6.0, 15.0, 31.0}) {
+        CylinderMeshOptions options = refined_to(around);
+        options.full = full;
+        options.outlet = outlet;
+        BOOST_TEST(element_count(options) == cylinder_mesh(options).elements.size(),
+                   around << " around, outlet at " << outlet);
+      }
+}
+
 BOOST_AUTO_TEST_CASE(the_outlet_can_be_moved_in_without_a_change_above_it) {
   CylinderMeshOptions options = refined_to(80);
   const Mesh mesh = cylinder_mesh(options);
