@@ -86,11 +86,9 @@ check refuses --max-points "'1'" -- "$cylinder" --max-points 1
 check refuses --output "'$work/file/below'" -- "$cylinder" --around 16 --output "$work/file/below"
 check refuses --frobnicate -- "$cylinder" --frobnicate
 
-with_memory() {  # KIB PROGRAM OPTIONS...
-  (ulimit -v "$1" && shift && exec "$@")
-}
+with_600_mb=(bash -c 'ulimit -v 600000; exec "$@"' bash)
 check refuses --around "'640'" GB available "would fit" -- \
-  with_memory 600000 "$cylinder" --around 640
+  "${with_600_mb[@]}" "$cylinder" --around 640
 check refuses --around "'2000'" "16 ... 640" -- "$cylinder" --around 2000
 
 # 3. A solve that does not succeed says so.
