@@ -22,7 +22,8 @@ bool DenseFlow<Dim>::solve_linearised(const Eigen::VectorXd& right_hand_side, St
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   constexpr int most_refinements = 4;
   constexpr double worthwhile = 0.1;
-  constexpr double useful = 0.1;  // what a step may leave of its right side
+  constexpr double useful = 0.1;       // what a step may leave of its right side
+  constexpr double negligible = 1e-9;  // of it: among the roundings none is better than another
   const double size = right_hand_side.norm();
   Eigen::VectorXd correction;
   if (!system_.solve(right_hand_side, correction)) return false;
@@ -31,7 +32,7 @@ bool DenseFlow<Dim>::solve_linearised(const Eigen::VectorXd& right_hand_side, St
   for (int refinement = 0;; ++refinement) {
     const Eigen::VectorXd rest = right_hand_side - tangent_product(trial);
     const double norm = rest.norm(), last = least;
-    if (!(norm < last)) break;
+    if (!(norm < last || norm <= negligible * size)) break;
     x = trial;
     least = norm;
     if (norm > worthwhile * last || norm <= epsilon * size || refinement == most_refinements ||

@@ -9,12 +9,19 @@
 #include <type_traits>
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "common/io/table.hpp"
 
 namespace talus::io {
 namespace {
+
+std::string memory_held() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return rounded(static_cast<double>(usage.ru_maxrss) * 1024 / 1e9, 2) + " GB";  // from KiB
+}
 
 template <class Number>
 std::string range_of(Number lower, Number upper) {
@@ -209,7 +216,8 @@ int run_program(CLI::App& app, int argc, char** argv, const std::function<int()>
   } catch (const std::bad_alloc& error) {  // solve::OutOfMemory has more to say than its kin
     const std::string what = error.what();
     return complain(
-        "out_of_memory: " + (what == std::bad_alloc().what() ? "memory ran out" : what) +
+        "out_of_memory: " +
+            (what == std::bad_alloc().what() ? "no more to be had beyond " + memory_held() : what) +
             "; try fewer elements, or a machine with more memory",
         1);
   } catch (const std::exception& error) {
