@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/fem/quadrature.hpp"
+#include "common/solve/extremes.hpp"
 
 namespace talus::oned {
 namespace {
@@ -45,7 +46,7 @@ Errors norms(const std::vector<Element>& elements, std::optional<double> kink,
   Errors result;
   double square = 0, nodal_square = 0;
   const auto add_node = [&](double value) {
-    result.nodal_max = std::max(result.nodal_max, std::abs(value));
+    result.nodal_max = solve::nan_max(result.nodal_max, std::abs(value));
     nodal_square += value * value;
   };
   for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -54,7 +55,7 @@ Errors norms(const std::vector<Element>& elements, std::optional<double> kink,
     const double split = std::clamp(kink.value_or(start), start, end);
     square += integral(start, split, squared) + integral(split, end, squared);
     for (int k = 0; k <= samples; ++k)
-      result.max = std::max(result.max, std::abs(f(i, start + (end - start) * k / samples)));
+      result.max = solve::nan_max(result.max, std::abs(f(i, start + (end - start) * k / samples)));
     add_node(f(i, start));
     add_node(f(i, 0.5 * (start + end)));
   }

@@ -28,8 +28,10 @@ struct Chapter {
   void text(std::string paragraph) { blocks.emplace_back(std::move(paragraph)); }
   void table(io::Table table) { blocks.emplace_back(std::move(table)); }
   void figure(io::Figure figure) { blocks.emplace_back(std::move(figure)); }
-  void check(std::string what, double value, double lower, double upper) {
+  /// Returns whether it holds, for the sentences that rest on it.
+  bool check(std::string what, double value, double lower, double upper) {
     checks.push_back({std::move(what), value, lower, upper});
+    return checks.back().passed();
   }
   bool passed() const {
     for (const Check& each : checks)
@@ -44,9 +46,17 @@ struct Context {
   std::function<void(double fraction)> progress = [](double) {};
 };
 
+/// CPU minutes that a study takes, measured on `measured_on`.
+struct Minutes {
+  double quick = 0, full = 0;
+  double of(bool is_full) const { return is_full ? full : quick; }
+};
+inline constexpr const char* measured_on = "one core of a 2-core virtual machine";
+
 struct Study {
   std::string name, question;
   std::function<Chapter(const Context&)> run;
+  Minutes minutes = {};
   bool is_timing = false;  ///< CPU time is what it is about: nothing may run beside it
 };
 

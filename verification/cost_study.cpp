@@ -1,7 +1,5 @@
 // Work and precision: error against CPU time, the Pareto front, and the cheapest way to an error.
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 #include <limits>
 
 #include "common/solve/stopwatch.hpp"
@@ -23,8 +21,7 @@ struct Run {
 
 // The smallest of several repetitions: other processes only ever add time.
 oned::Solution timed(const oned::ShearScene& scene, const std::vector<double>& line,
-                     const oned::SolveOptions& options) {
-  constexpr double enough = 5e-3;
+                     const oned::SolveOptions& options, double enough = 5e-3) {
   constexpr int most = 20;
   oned::Solution best = oned::solve(scene, line, options);
   double total = best.seconds;
@@ -59,12 +56,17 @@ void mark_front(std::vector<Run>& runs) {
   }
 }
 
-// Of the many curves, those that tell apart what λr does; the front has them all.
-const std::vector<std::string> drawn_methods = {
-    "chauchat-medale, λr 1e-4",  "chauchat-medale, λr 1e-6", "chauchat-medale, λr 1e-8",
-    "chauchat-medale, λr 1e-12", "simple, λr 1e-6",          "interior point",
-    "barker-gray, λr 1e-4",      "barker-gray, λr 1e-6",     "barker-gray, λr 1e-8",
-    "barker-gray, λr 1e-12"};
+// Of the many curves those that tell apart what λr does, with eq. (12) and laws without a yield
+// stress, and of the others one; the front has them all.
+std::vector<std::string> drawn_methods() {
+  std::vector<std::string> labels = {reference_method().label};
+  for (const double lambda_r : {1e-4, 1e-6, 1e-8, 1e-12})
+    for (const NamedMethod& method : newton_methods(lambda_r))
+      if (lambda_r == 1e-6 || !has_yield_stress(method) ||
+          method.label == rheology::ChauchatMedale::name)
+        labels.push_back(method.label + ", λr " + short_power(lambda_r));
+  return labels;
+}
 
 io::Figure front_figure(const oned::ShearScene& scene, const std::string& name,
                         const std::vector<Run>& runs) {
@@ -73,6 +75,7 @@ io::Figure front_figure(const oned::ShearScene& scene, const std::string& name,
                     "mesh. The line is the Pareto front: nothing cheaper is as accurate.",
                     {},
                     2};
+  const auto drawn = drawn_methods();
   for (const auto& order_case : scene.order_cases) {
     io::Panel panel{scene.name + ", " + order_case.name, "CPU seconds", "L2 error", true, true, {}};
     std::vector<std::string> labels;
@@ -82,8 +85,7 @@ io::Figure front_figure(const oned::ShearScene& scene, const std::string& name,
         labels.push_back(run.method);
     std::sort(labels.begin(), labels.end());
     for (const std::string& label : labels) {
-      if (std::find(drawn_methods.begin(), drawn_methods.end(), label) == drawn_methods.end())
-        continue;
+      if (std::find(drawn.begin(), drawn.end(), label) == drawn.end()) continue;
       io::Curve curve{label, {}, {}};
       std::vector<const Run*> of_label;
       for (const Run& run : runs)
@@ -170,37 +172,6 @@ void kernel_speed(Chapter& chapter) {
   chapter.table(std::move(table));
 }
 
-// The whole program, from process start to the files written, if it stands beside this one.
-void process_speed(Chapter& chapter) {
-  std::error_code error;
-  const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-  io::Table table{"A whole program from process start to its files, milliseconds of wall time",
-                  {"program", "best of 5"},
-                  {}};
-  for (const auto& scene : oned::scenes()) {
-    const auto program = folder / scene.name;
-    if (error || !std::filesystem::exists(program)) {
-      chapter.text("Skipped: the program " + scene.name + " does not stand beside verify.");
-      continue;
-    }
-    const auto output = std::filesystem::temp_directory_path() /
-                        ("talus-" + scene.name + "-" + std::to_string(std::rand()));
-    const std::string command =
-        "'" + program.string() + "' --output '" + output.string() + "' >/dev/null 2>&1";
-    double best = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 5; ++i) {
-      const auto start = std::chrono::steady_clock::now();
-      if (std::system(command.c_str()) != 0) break;
-      best = std::min(
-          best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-                    .count());
-    }
-    std::filesystem::remove_all(output, error);
-    table.rows.push_back({scene.name, io::rounded(best, 3)});
-  }
-  chapter.table(std::move(table));
-}
-
 // What keeping the iterate's rounding costs.
 void precision_cost(Chapter& chapter) {
   io::Table table{
@@ -249,6 +220,7 @@ Chapter cost_study(const Context& context) {
       {}};
   const auto scenes = oned::scenes();
   const auto methods = compared_methods();
+  const double enough = context.full ? 5e-3 : 1e-3;  // seconds of repetitions
   std::size_t done = 0;
   int failures = 0;
   for (const auto& scene : scenes) {
@@ -259,7 +231,7 @@ Chapter cost_study(const Context& context) {
       const oned::ShearScene own = scene_for(scene, method);
       for (const auto& order_case : own.order_cases)
         for (const auto& mesh : doubled_meshes(order_case.mesh, context.full ? 10240 : 2560)) {
-          const auto solution = timed(own, oned::boundaries(own, mesh), method.options);
+          const auto solution = timed(own, oned::boundaries(own, mesh), method.options, enough);
           failures += solve::is_success(solution.end) ? 0 : 1;
           (has_yield_stress(method) ? runs : control_runs)
               .push_back({method.label, order_case.name, mesh.elements, solution.iterations(),
@@ -279,7 +251,7 @@ Chapter cost_study(const Context& context) {
   chapter.table(std::move(table));
   precision_cost(chapter);
   kernel_speed(chapter);
-  process_speed(chapter);
+  add_program_cost(chapter);
   dense_kernel_costs(chapter, context);
   dense_work(chapter, context);
   context.progress(0.75);

@@ -1,5 +1,4 @@
 // What an error of the cylinder's drag costs: meshes, half and full domain, and the two penalties.
-#include <algorithm>
 #include <cmath>
 
 #include "verification/cost_parts.hpp"
@@ -138,12 +137,14 @@ void penalties(Chapter& chapter) {
     const bool is_plain = kind == flow::Penalty::plain;
     io::Curve errors{is_plain ? "plain" : "iterated", {}, {}}, iterations = errors,
                                                                seconds = errors;
+    double largest = 0;
     for (const double lambda_p : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
       scene.penalty = {kind, lambda_p};
       const Creep creep = creep_at(scene, 0.03);
       const double off = std::abs(creep.measures.drag / drag - 1);
+      largest = solve::nan_max(largest, off);
       for (io::Curve* curve : {&errors, &iterations, &seconds}) curve->x.push_back(lambda_p);
-      errors.y.push_back(std::max(off, 1e-16));
+      errors.y.push_back(solve::nan_max(off, 1e-16));
       iterations.y.push_back(creep.factorisations);
       seconds.y.push_back(creep.seconds);
       table.rows.push_back({errors.label, short_power(lambda_p),
@@ -155,8 +156,8 @@ void penalties(Chapter& chapter) {
       chapter.check("plain penalty: order of its error in λp, 1e-6 to 1e-8",
                     std::log10(errors.y[2] / errors.y[3]) / 2, 0.9, 1.1);
     else
-      chapter.check("iterated penalty: largest error of the drag, λp from 1e-2 to 1e-12",
-                    *std::max_element(errors.y.begin(), errors.y.end()), 0, 1e-9);
+      chapter.check("iterated penalty: largest error of the drag, λp from 1e-2 to 1e-12", largest,
+                    0, 1e-9);
     error.curves.push_back(errors);
     work.curves.push_back(iterations);
     time.curves.push_back(seconds);

@@ -2,13 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "common/solve/stopwatch.hpp"
+#include "verification/methods.hpp"
 
 namespace talus::verification {
 namespace {
 
 constexpr double creeping = 0.044;
+
+// Of a flow that was not found.
+twod::CylinderMeasures not_measured() {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  return {nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan};
+}
 
 twod::CylinderObserver recorder(Followed& followed) {
   return [&followed](const auto&, const auto& measures, const auto& point) {
@@ -47,18 +55,26 @@ Creep creep_at(const twod::Cylinder& scene, double loading) {
   twod::CylinderFlow::State state;
   solve::End end = twod::solve_creep(cylinder, loading, state).end;
   if (!solve::is_success(end)) {
-    state = twod::solve_from_rest(cylinder, loading).next.state;
-    end = solve::newton(cylinder.flow(), state,
-                        {.tolerance = 1e-13, .line_search = solve::LineSearch::residual_norm})
-              .end;
+    const auto path = twod::solve_from_rest(cylinder, loading);
+    state = path.next.state;
+    if (path.end == solve::PathEnd::target_reached)
+      end = solve::newton(cylinder.flow(), state,
+                          {.tolerance = 1e-13, .line_search = solve::LineSearch::residual_norm})
+                .end;
   }
   Creep creep;
   creep.factorisations = cylinder.flow().factorisations();
   creep.seconds = watch.seconds();
   creep.elements = cylinder.space().element_count();
-  creep.measures = twod::measure(cylinder, state);
-  if (!solve::is_success(end)) creep.measures.drag = std::nan("");
+  if (solve::is_success(end))
+    creep.measures = twod::measure(cylinder, state);
+  else
+    creep.measures = not_measured();
   return creep;
+}
+
+twod::CylinderMeasures Followed::last() const {
+  return measures.empty() ? not_measured() : measures.back();
 }
 
 int Followed::folds() const {
@@ -67,14 +83,14 @@ int Followed::folds() const {
 }
 
 double Followed::largest_loading() const {
-  double largest = 0;
-  for (const auto& m : measures) largest = std::max(largest, m.loading);
+  double largest = if_counts(!measures.empty(), 0);
+  for (const auto& m : measures) largest = solve::nan_max(largest, m.loading);
   return largest;
 }
 
 double Followed::smallest_lambda_r() const {
-  double smallest = 1;
-  for (const auto& m : measures) smallest = std::min(smallest, m.lambda_r);
+  double smallest = if_counts(!measures.empty(), 1);
+  for (const auto& m : measures) smallest = solve::nan_min(smallest, m.lambda_r);
   return smallest;
 }
 
@@ -84,6 +100,7 @@ Followed along_loading(const twod::Cylinder& scene, double target, twod::Continu
   twod::CylinderFlow cylinder(scene);
   auto start = twod::solve_from_rest(cylinder, creeping);
   Followed followed;
+  if (start.end != solve::PathEnd::target_reached) return followed;
   followed.end =
       twod::follow_loading(cylinder, {.state = start.next.state, .parameter = creeping}, target,
                            continuation, path_options(max_points), recorder(followed))

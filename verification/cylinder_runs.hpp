@@ -18,7 +18,7 @@ std::vector<rheology::Regularisation> laws_of_paths();
 /// A loading that the cylinder holds, solved from rest down to round-off: at once, or where that
 /// fails along a path in λr.
 struct Creep {
-  twod::CylinderMeasures measures;  ///< a drag of NaN if it failed
+  twod::CylinderMeasures measures;  ///< NaN if it failed
   std::size_t elements = 0;
   int factorisations = 0;
   double seconds = 0;  ///< CPU time, set-up included
@@ -34,10 +34,10 @@ struct Followed {
   double seconds = 0;
 
   bool arrived() const { return end == solve::PathEnd::target_reached; }
-  const twod::CylinderMeasures& last() const { return measures.back(); }
+  twod::CylinderMeasures last() const;  ///< NaN if there is no point
   int folds() const;
-  double largest_loading() const;
-  double smallest_lambda_r() const;
+  double largest_loading() const;    ///< NaN if there is no point
+  double smallest_lambda_r() const;  ///< the same
 };
 
 /// From creep at F = 0.044 along the loading, at the scene's λr.

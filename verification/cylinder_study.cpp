@@ -1,8 +1,11 @@
 // The flow around the cylinder: what the numbers below yield owe to mesh and outlet.
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "verification/cylinder_parts.hpp"
 #include "verification/cylinder_runs.hpp"
+#include "verification/methods.hpp"
 
 namespace talus::verification {
 namespace {
@@ -39,8 +42,8 @@ void meshes(Chapter& chapter, const Context& context) {
     for (const int around : arounds) {
       const Creep creep = creep_at(cylinder_around(around), loading);
       of_loading.push_back(creep);
-      worst_imbalance = std::fmax(worst_imbalance, std::abs(creep.measures.imbalance()));
-      worst_divergence = std::fmax(worst_divergence, creep.measures.projected_divergence);
+      worst_imbalance = solve::nan_max(worst_imbalance, std::abs(creep.measures.imbalance()));
+      worst_divergence = solve::nan_max(worst_divergence, creep.measures.projected_divergence);
       table.rows.push_back(
           row_of("F = " + io::rounded(loading) + ", " + std::to_string(around) + " around", creep));
     }
@@ -77,35 +80,50 @@ void halves(Chapter& chapter) {
   chapter.table(std::move(table));
 }
 
+// The open outlet against the developed one at the same place; what moves, moves with λr (the drag
+// of a column at rest is its buoyancy, which would agree with itself).
 void outlets(Chapter& chapter) {
   io::Table table{"Outlet condition and place at F = 0.044, 16 elements around", header, {}};
   twod::Cylinder scene = cylinder_around(16);
-  double reference = 0, worst_viscous = 0, rest = 0;
-  for (const double outlet : {15.0, 8.0, 5.0})
-    for (const flow::Open open : {flow::Open::no, flow::Open::viscous}) {
-      scene.mesh.outlet = outlet;
-      scene.open_outlet = open;
-      const Creep creep = creep_at(scene, 0.044);
-      const bool developed = open == flow::Open::no;
-      if (developed) reference = creep.measures.drag;
-      if (!developed)
-        worst_viscous = std::fmax(worst_viscous, std::abs(creep.measures.drag / reference - 1));
-      table.rows.push_back(row_of(
-          std::string(developed ? "developed" : "open") + " at " + io::rounded(outlet), creep));
-    }
+  double worst_drag = 0, worst_velocity = 0, slowest = std::numeric_limits<double>::infinity();
+  for (const double outlet : {15.0, 8.0, 5.0}) {
+    scene.mesh.outlet = outlet;
+    scene.open_outlet = flow::Open::no;
+    const Creep developed = creep_at(scene, 0.044);
+    scene.open_outlet = flow::Open::viscous;
+    const Creep open = creep_at(scene, 0.044);
+    table.rows.push_back(row_of("developed at " + io::rounded(outlet), developed));
+    table.rows.push_back(row_of("open at " + io::rounded(outlet), open));
+    const auto apart = [&](double twod::CylinderMeasures::*measure) {
+      return std::abs(open.measures.*measure / developed.measures.*measure - 1);
+    };
+    worst_drag = solve::nan_max(worst_drag, apart(&twod::CylinderMeasures::drag));
+    worst_velocity = solve::nan_max(worst_velocity, apart(&twod::CylinderMeasures::mean_velocity));
+    slowest = solve::nan_min(slowest, developed.measures.mean_velocity / scene.lambda_r);
+  }
   scene.open_outlet = flow::Open::all;
   scene.lambda_r = 0.1;
   const Creep all = creep_at(scene, 0.044);
-  rest = std::abs(all.measures.mean_velocity);
   table.rows.push_back(row_of("open with its pressure, λr = 0.1", all));
+  chapter.check("developed outlet: U over λr, slowest place", slowest, 2, 5);
   chapter.check("open outlet, pressure given: drag apart from the developed one, worst place",
-                worst_viscous, 0, 0.05);
-  chapter.check("open outlet, pressure open too: U", rest, 0, 1e-9);
+                worst_drag, 0, 0.05);
+  chapter.check("open outlet, pressure given: U apart from the developed one, worst place",
+                worst_velocity, 0, 0.2);
+  const double buoyancy = -std::numbers::pi / 4 * 0.044;
+  const bool rests = chapter.check("open outlet, pressure open too: |U|",
+                                   std::abs(all.measures.mean_velocity), 0, 1e-9);
+  const bool floats = chapter.check("open outlet, pressure open too: drag over buoyancy",
+                                    all.measures.drag / buoyancy, 0.98, 1.02);
   chapter.text(
-      "The paper's open boundary keeps the boundary term of the weak form with the unknowns in it. "
-      "If the pressure is left open as well, nothing fixes its level: the column rests on the "
-      "outlet and nothing flows. With the pressure given and the viscous part open, the outlet may "
-      "come close.");
+      std::string(
+          "The paper's open boundary keeps the boundary term of the weak form with the "
+          "unknowns in it. If the pressure is left open as well, nothing fixes its level: ") +
+      (rests && floats ? "the column rests on the outlet and nothing flows."
+                       : "the column should rest on the outlet, but a check of that fails.") +
+      " With the pressure given and the viscous part open, the drag differs by " +
+      io::rounded(100 * worst_drag, 2) + "% at most, U by " + io::rounded(100 * worst_velocity, 2) +
+      "%, in outlets as near as 5 diameters.");
   chapter.table(std::move(table));
 }
 

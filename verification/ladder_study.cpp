@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "common/program/model_choice.hpp"
+#include "common/solve/extremes.hpp"
 #include "verification/ladder.hpp"
 
 namespace talus::verification {
@@ -14,7 +15,7 @@ double Rung::farthest() const {
   for (const RungCase& each : cases) {
     if (!each.solved()) return std::numeric_limits<double>::quiet_NaN();
     farthest =
-        std::max({farthest, each.apart.velocity, each.apart.cross_flow, each.apart.pressure});
+        solve::nan_max({farthest, each.apart.velocity, each.apart.cross_flow, each.apart.pressure});
   }
   return farthest;
 }

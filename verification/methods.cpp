@@ -1,5 +1,6 @@
 #include "verification/methods.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/fem/line_mesh.hpp"
@@ -47,6 +48,18 @@ oned::ShearScene scene_for(const oned::ShearScene& scene, const NamedMethod& met
 NamedMethod reference_for(const NamedMethod& method) {
   return has_yield_stress(method) ? reference_method()
                                   : newton_method(method.options.regularisation, 1e-14);
+}
+
+oned::Solution solve_or_nan(const oned::ShearScene& scene, std::span<const double> boundaries,
+                            const oned::SolveOptions& options) {
+  oned::Solution solution = oned::solve(scene, boundaries, options);
+  if (solve::is_success(solution.end)) return solution;
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  solution.velocity =
+      solve::CompensatedVector(Eigen::VectorXd::Constant(solution.velocity.size(), nan));
+  std::ranges::fill(solution.shear_rate, nan);
+  std::ranges::fill(solution.stress, nan);
+  return solution;
 }
 
 std::vector<int> doubled_elements(int largest) {

@@ -3,7 +3,8 @@
 
 namespace talus::verification {
 
-Chapter paper_study(const Context& context) {
+Chapter paper_of(const oned::ShearScene& chute, const oned::ShearScene& bagnold,
+                 const Context& context) {
   Chapter chapter{"paper", "Which figures of the paper do we reproduce, and which not?", {}, {}};
   chapter.text(
       "Chauchat & Médale's one-dimensional results with their parameters, in one dimension; Fig. 7 "
@@ -11,12 +12,16 @@ Chapter paper_study(const Context& context) {
       "theirs are.");
   io::Table findings{
       "What the paper states and what we find", {"item", "the paper", "ours", "verdict"}, {}};
-  add_chute(chapter, findings, context);
-  add_bagnold(chapter, findings, context);
+  add_chute(chapter, findings, chute, context);
+  add_bagnold(chapter, findings, bagnold, context);
   context.progress(0.9);
-  add_space(chapter, findings);
+  add_space(chapter, findings, chute, bagnold);
   chapter.blocks.insert(chapter.blocks.begin() + 1, findings);
   return chapter;
+}
+
+Chapter paper_study(const Context& context) {
+  return paper_of(scene_of(oned::Chute{}), scene_of(oned::Bagnold{}), context);
 }
 
 }  // namespace talus::verification

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <numeric>
@@ -11,58 +10,16 @@
 #include <stdexcept>
 #include <thread>
 
-#include <nlohmann/json.hpp>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "common/solve/stopwatch.hpp"
+#include "verification/chapter_file.hpp"
 
 namespace talus::verification {
 namespace {
-
-constexpr const char* chapter_file = "chapter.json";
-constexpr int user_error = 2;  // exit status, as of the programs
-
-// Figures, tables and checks of a chapter, as files.
-void write_files(const io::ResultFolder& folder, const Chapter& chapter) {
-  io::Table checks{"", {"check", "value", "lower", "upper", "holds"}, {}};
-  for (const auto& check : chapter.checks)
-    checks.rows.push_back({check.what, io::exact(check.value), io::exact(check.lower),
-                           io::exact(check.upper), check.passed() ? "yes" : "no"});
-  folder.write("checks.csv", io::to_csv(checks));
-  int tables = 0;
-  for (const auto& block : chapter.blocks) {
-    if (const auto* table = std::get_if<io::Table>(&block))
-      folder.write("table" + std::to_string(++tables) + ".csv", io::to_csv(*table));
-    else if (const auto* figure = std::get_if<io::Figure>(&block))
-      io::write_figure(folder, *figure, "svg");
-  }
-}
-
-void run(const Study& study, const Context& context, const io::ResultFolder& folder) {
-  const solve::Stopwatch watch;
-  const Chapter chapter = study.run(context);
-  const double seconds = watch.seconds();
-  write_files(folder, chapter);
-  const Written written = write_chapter(chapter, folder.path());
-  const nlohmann::json contents = {{"title", written.title},       {"html", written.html},
-                                   {"checks", written.checks},     {"held", written.held},
-                                   {"failures", written.failures}, {"seconds", seconds}};
-  folder.write(chapter_file, contents.dump());
-}
-
-Written read(const std::string& name, const std::filesystem::path& folder) {
-  std::ifstream file(folder / chapter_file);
-  const auto contents = nlohmann::json::parse(file);
-  return {name,
-          contents.at("title"),
-          contents.at("html"),
-          contents.at("checks"),
-          contents.at("held"),
-          contents.at("failures"),
-          contents.at("seconds")};
-}
 
 // Fractions done, written by the processes of the studies and read by ours.
 class SharedFractions {
@@ -78,86 +35,171 @@ class SharedFractions {
   SharedFractions& operator=(const SharedFractions&) = delete;
 
   double& operator[](std::size_t i) { return values_[i]; }
-  double mean() const {
-    return std::accumulate(values_.begin(), values_.end(), 0.0) /
-           static_cast<double>(values_.size());
-  }
+  double operator[](std::size_t i) const { return values_[i]; }
 
  private:
   std::size_t bytes_;
   std::span<double> values_;
 };
 
-}  // namespace
+// The order in which studies start: the longest first, those that measure time after all others.
+std::vector<std::size_t> order_of_start(const std::vector<Study>& studies, bool full) {
+  std::vector<std::size_t> order(studies.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+    if (studies[a].is_timing != studies[b].is_timing) return studies[b].is_timing;
+    return studies[a].minutes.of(full) > studies[b].minutes.of(full);
+  });
+  return order;
+}
 
-std::vector<Written> run_studies(const std::vector<Study>& studies, bool full,
-                                 const io::ResultFolder& folder, const Report& report) {
-  SharedFractions fractions(studies.size());
-  std::map<pid_t, std::size_t> running;
-  const auto folder_of = [&](std::size_t i) { return folder.path() / studies[i].name; };
-
-  const auto start = [&](std::size_t i) {
-    std::cout.flush();
-    const pid_t process = fork();
-    if (process < 0) throw std::runtime_error("no process for study " + studies[i].name);
-    if (process > 0) {
-      running[process] = i;
-      return;
-    }
-    std::signal(SIGTERM, SIG_DFL);  // whatever handler the parent has
-    int status = 0;
+// The process of a study. Its exit status is 0 if it left a chapter, be it that of a failure.
+[[noreturn]] void run_here(const Study& study, const Context& context,
+                           const std::filesystem::path& folder) {
+  int status = 0;
+  try {
+    const solve::Stopwatch watch;
+    Chapter chapter;
     try {
-      run(studies[i], {full, [&](double fraction) { fractions[i] = fraction; }},
-          io::ResultFolder(folder_of(i)));
+      chapter = study.run(context);
     } catch (const std::exception& error) {
-      std::cerr << "study " << studies[i].name << ": " << error.what() << '\n';
-      status = dynamic_cast<const io::UserError*>(&error) ? user_error : 1;
+      chapter = chapter_of_failure(study, error.what());
     }
-    _exit(status);
-  };
+    write_chapter_files(io::ResultFolder(folder), chapter, watch.seconds());
+  } catch (const std::exception& error) {
+    std::cerr << "study " << study.name << ": " << error.what() << '\n';
+    status = 1;
+  }
+  _exit(status);
+}
 
-  // None is left to write into the folder after we have given up.
-  const auto give_up = [&](std::size_t i, int status) {
-    for (const auto& [process, _] : running) {
-      kill(process, SIGTERM);
+// Forks a process for the study, which ends with ours, however that ends.
+pid_t start(const Study& study, const Context& context, const std::filesystem::path& folder) {
+  std::cout.flush();
+  const pid_t parent = getpid();
+  const pid_t process = fork();
+  if (process < 0) throw std::runtime_error("no process for study " + study.name);
+  if (process > 0) return process;
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);  // it ended before it could be asked for
+  // No handler of the parent: what ends a study shall be seen.
+  for (const int each : {SIGTERM, SIGINT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
+    std::signal(each, SIG_DFL);
+  run_here(study, context, folder);
+}
+
+std::string reason_of(int status) {
+  if (WIFSIGNALED(status)) return "killed by signal " + std::to_string(WTERMSIG(status));
+  return "exit status " + std::to_string(WEXITSTATUS(status));
+}
+
+// Studies that run; none is left when it goes.
+class Running {
+ public:
+  Running() = default;
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+  ~Running() {
+    for (const auto& [process, _] : processes_) {
+      kill(process, SIGKILL);
       waitpid(process, nullptr, 0);
     }
-    const std::string message = "study " + studies[i].name + " did not end well";
-    if (WIFEXITED(status) && WEXITSTATUS(status) == user_error) throw io::UserError(message);
-    throw std::runtime_error(message);
-  };
+  }
 
+  std::size_t count() const { return processes_.size(); }
+  void add(pid_t process, std::size_t study) { processes_[process] = study; }
+  /// The study that has ended and how, if one has.
+  std::optional<std::pair<std::size_t, int>> take_ended() {
+    for (const auto& [process, study] : processes_) {
+      int status = 0;
+      if (waitpid(process, &status, WNOHANG) != process) continue;
+      const std::pair ended(study, status);
+      processes_.erase(process);
+      return ended;
+    }
+    return std::nullopt;
+  }
+  std::vector<std::size_t> studies() const {
+    std::vector<std::size_t> all;
+    for (const auto& [_, study] : processes_) all.push_back(study);
+    return all;
+  }
+
+ private:
+  std::map<pid_t, std::size_t> processes_;
+};
+
+}  // namespace
+
+int default_jobs() {
+  return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 2U));
+}
+
+std::vector<Written> run_studies(const std::vector<Study>& studies, const RunOptions& options,
+                                 const io::ResultFolder& folder, const Report& report) {
+  SharedFractions fractions(studies.size());
+  Running running;
+  std::vector<std::string> failures(studies.size());  // why a study left no chapter
+  const auto folder_of = [&](std::size_t i) { return folder.path() / studies[i].name; };
+  for (std::size_t i = 0; i < studies.size(); ++i) remove_chapter(io::ResultFolder(folder_of(i)));
+
+  // Of the minutes that the studies say they take.
+  const auto fraction_done = [&] {
+    double done = 0, all = 0;
+    for (std::size_t i = 0; i < studies.size(); ++i) {
+      const double minutes = std::max(studies[i].minutes.of(options.full), 1e-3);
+      done += minutes * fractions[i];
+      all += minutes;
+    }
+    return done / all;
+  };
   const auto wait_for_one = [&] {
     for (;;) {
-      int status = 0;
-      const pid_t process = waitpid(-1, &status, WNOHANG);
-      if (process > 0) {
-        const std::size_t i = running.at(process);
-        running.erase(process);
+      if (const auto ended = running.take_ended()) {
+        const auto [i, status] = *ended;
         fractions[i] = 1;
-        if (status != 0) give_up(i, status);
+        if (status != 0) failures[i] = reason_of(status);
         return;
       }
       std::string names;
-      for (const auto& [_, i] : running) names += (names.empty() ? "" : ", ") + studies[i].name;
-      report(names, fractions.mean());
+      for (const std::size_t i : running.studies())
+        names += (names.empty() ? "" : ", ") + studies[i].name;
+      report(names, fraction_done());
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
   };
 
-  const std::size_t cores = std::clamp(std::thread::hardware_concurrency(), 1U, 2U);
-  for (const bool timing : {false, true})
-    for (std::size_t i = 0; i < studies.size(); ++i) {
-      if (studies[i].is_timing != timing) continue;
-      while (running.size() >= (timing ? 1 : cores)) wait_for_one();
-      start(i);
-    }
-  while (!running.empty()) wait_for_one();
+  for (const std::size_t i : order_of_start(studies, options.full)) {
+    const std::size_t beside =
+        studies[i].is_timing ? 0 : static_cast<std::size_t>(options.jobs) - 1;
+    while (running.count() > beside) wait_for_one();
+    const Context context{options.full,
+                          [&fractions, i](double fraction) { fractions[i] = fraction; }};
+    running.add(start(studies[i], context, folder_of(i)), i);
+  }
+  while (running.count() > 0) wait_for_one();
 
   std::vector<Written> chapters;
-  for (std::size_t i = 0; i < studies.size(); ++i)
-    chapters.push_back(read(studies[i].name, folder_of(i)));
+  for (std::size_t i = 0; i < studies.size(); ++i) {
+    if (failures[i].empty() && !has_chapter(folder_of(i))) failures[i] = "it left no chapter";
+    if (!failures[i].empty())
+      write_chapter_files(io::ResultFolder(folder_of(i)),
+                          chapter_of_failure(studies[i], failures[i]), 0);
+    chapters.push_back(read_chapter(studies[i].name, folder_of(i)));
+  }
   return chapters;
+}
+
+double expected_minutes(const std::vector<Study>& studies, const RunOptions& options) {
+  std::vector<double> busy_until(static_cast<std::size_t>(options.jobs), 0);
+  for (const std::size_t i : order_of_start(studies, options.full)) {
+    if (studies[i].is_timing)  // alone: after all, before all
+      std::ranges::fill(busy_until,
+                        std::ranges::max(busy_until) + studies[i].minutes.of(options.full));
+    else
+      *std::ranges::min_element(busy_until) += studies[i].minutes.of(options.full);
+  }
+  return std::ranges::max(busy_until);
 }
 
 }  // namespace talus::verification

@@ -21,11 +21,13 @@ void interior_point_counts(Chapter& chapter, const Context& context) {
   for (const auto& scene : oned::scenes())
     for (const auto& order_case : scene.order_cases) {
       table.rows.push_back({scene.name, order_case.name});
-      int most = 0, failures = 0;
+      int failures = 0;
+      double most = 0;
       for (const auto& mesh : doubled_meshes(order_case.mesh, most_elements)) {
         const auto solution = oned::solve(scene, oned::boundaries(scene, mesh), method.options);
         if (solution.end != solve::End::converged) ++failures;
-        most = std::max(most, solution.iterations());
+        most = solve::nan_max(
+            most, if_counts(solution.end == solve::End::converged, solution.iterations()));
         table.rows.back().push_back(std::to_string(solution.iterations()));
       }
       table.rows.back().resize(table.header.size());
@@ -65,10 +67,10 @@ void floor(Chapter& chapter) {
           curve->y.push_back(std::max(newton.final_residual(), 1e-18));
           const double ratio = newton.final_residual() / newton.round_off_floor();
           if (curve == &plain) {
-            smallest = std::min(smallest, ratio);
-            largest = std::max(largest, ratio);
+            smallest = solve::nan_min(smallest, ratio);
+            largest = solve::nan_max(largest, ratio);
           } else {
-            largest_compensated = std::max(largest_compensated, newton.final_residual());
+            largest_compensated = solve::nan_max(largest_compensated, newton.final_residual());
           }
         }
       }

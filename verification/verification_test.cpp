@@ -1,18 +1,16 @@
 // The harness itself: does it fail where it should?
 #include <cmath>
-#include <csignal>
 #include <limits>
 #include <set>
-#include <thread>
 
 #include <boost/test/unit_test.hpp>
-#include <sys/wait.h>
-#include <unistd.h>
 
+#include "verification/cylinder_runs.hpp"
 #include "verification/fit.hpp"
 #include "verification/html_report.hpp"
+#include "verification/line_answer.hpp"
 #include "verification/methods.hpp"
-#include "verification/runner.hpp"
+#include "verification/paper_parts.hpp"
 
 using namespace talus;
 using verification::Chapter;
@@ -57,18 +55,6 @@ BOOST_AUTO_TEST_CASE(studies_have_names_of_their_own_and_a_question) {
   BOOST_TEST(names.size() == verification::studies().size());
 }
 
-BOOST_AUTO_TEST_CASE(the_jacobian_study_holds) {
-  BOOST_TEST(failures(verification::jacobian_study({})) == 0);
-}
-
-BOOST_AUTO_TEST_CASE(the_orders_of_all_scenes_hold) {
-  BOOST_TEST(failures(verification::orders_study({})) == 0);
-}
-
-BOOST_AUTO_TEST_CASE(the_rungs_of_the_ladder_agree) {
-  BOOST_TEST(failures(verification::ladder_study({})) == 0);
-}
-
 // Negative controls of the orders study: each breaks one thing it rests on.
 BOOST_AUTO_TEST_CASE(a_wrong_exact_solution_destroys_the_orders) {
   for (oned::ShearScene scene : oned::scenes()) {
@@ -110,62 +96,79 @@ BOOST_AUTO_TEST_CASE(the_report_shows_failures_and_escapes_text) {
   BOOST_TEST(html().find("fail>FAILS") != std::string::npos);
 }
 
-BOOST_AUTO_TEST_CASE(studies_run_side_by_side_and_are_reported_in_their_order) {
-  std::vector<verification::Study> studies;
-  for (const std::string name : {"first", "second", "third"})
-    studies.push_back({name, "Why " + name + "?", [name](const verification::Context& context) {
-                         context.progress(0.5);
-                         Chapter chapter{name, "Why " + name + "?", {}, {}};
-                         chapter.check("not a number", std::nan(""), 0, 1);
-                         chapter.check("good", 1, 0, 2);
-                         return chapter;
-                       }});
-  studies.front().is_timing = true;
-  const io::ResultFolder folder(std::filesystem::temp_directory_path() / "talus_studies");
-  double last = 0;
-  const auto written = verification::run_studies(
-      studies, false, folder, [&](const std::string&, double fraction) { last = fraction; });
-  BOOST_REQUIRE(written.size() == 3U);
-  for (std::size_t i = 0; i < studies.size(); ++i) {
-    BOOST_TEST(written[i].name == studies[i].name);
-    BOOST_TEST(written[i].held == 1U);
-    BOOST_TEST(written[i].checks == 2U);
-    BOOST_TEST(written[i].failures.find("not a number") != std::string::npos);
-  }
-  BOOST_TEST(last > 0);
-  std::filesystem::remove_all(folder.path());
-}
-
-BOOST_AUTO_TEST_CASE(a_study_that_dies_is_an_error) {
-  const verification::Study dying{"dying", "", [](const verification::Context&) -> Chapter {
-                                    raise(SIGKILL);
-                                    return {};
-                                  }};
-  const verification::Study throwing{"throwing", "", [](const verification::Context&) -> Chapter {
-                                       throw std::runtime_error("no");
-                                     }};
-  const io::ResultFolder folder(std::filesystem::temp_directory_path() / "talus_dying_studies");
-  const verification::Study endless{"endless", "", [](const verification::Context&) -> Chapter {
-                                      for (;;) pause();
-                                    }};
-  const verification::Study unwritable{
-      "unwritable", "",
-      [](const verification::Context&) -> Chapter { throw io::UserError("full disk"); }};
-  const auto silent = [](const std::string&, double) {};
-  for (const auto& study : {dying, throwing})
-    BOOST_CHECK_THROW(verification::run_studies({study}, false, folder, silent),
-                      std::runtime_error);
-  BOOST_CHECK_THROW(verification::run_studies({unwritable}, false, folder, silent), io::UserError);
-  if (std::thread::hardware_concurrency() > 1)
-    BOOST_CHECK_THROW(verification::run_studies({endless, dying}, false, folder, silent),
-                      std::runtime_error);
-  BOOST_TEST(waitpid(-1, nullptr, WNOHANG) == -1);  // nobody is left
-  std::filesystem::remove_all(folder.path());
-}
-
 BOOST_AUTO_TEST_CASE(a_figure_without_its_picture_is_reported_as_skipped) {
   Chapter chapter{"name", "title", {}, {}};
   chapter.figure({"missing", "caption", {}, 1});
   const std::string html = verification::write_chapter(chapter, "no such folder").html;
   BOOST_TEST(html.find("Skipped: gnuplot drew no figure.") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_solve_that_fails_leaves_no_number_that_a_check_lets_pass) {
+  const auto scene = scene_of(oned::Chute{});
+  const auto line = oned::boundaries(scene, {.elements = 5});
+  auto method = verification::newton_method(rheology::ChauchatMedale{}, 1e-6);
+  const auto found = verification::solve_or_nan(scene, line, method.options);
+  BOOST_TEST(std::isfinite(oned::errors(found, scene).max));
+  BOOST_TEST(verification::counted_iterations(found) > 0);
+  method.options.newton.max_iterations = 1;
+  const auto failed = verification::solve_or_nan(scene, line, method.options);
+  for (const auto& error : {oned::errors(failed, scene), oned::distance(found, failed)})
+    for (const double each : {error.l2, error.max, error.nodal_max, error.paper_rms})
+      BOOST_TEST(std::isnan(each));
+  BOOST_TEST(std::isnan(verification::counted_iterations(failed)));
+  BOOST_TEST(std::isnan(oned::velocity_at(failed, 0)));
+}
+
+// Newton and the interior point against an answer that neither had a part in.
+BOOST_AUTO_TEST_CASE(the_answer_element_by_element_is_that_of_the_solvers) {
+  for (const auto& scene : oned::scenes())
+    for (const int elements : {3, 20}) {
+      const auto line = oned::boundaries(scene, {.elements = elements, .grading = 1.5});
+      const auto apart = [&](const verification::NamedMethod& method,
+                             const verification::RateLaw& law) {
+        const auto solution = oned::solve(scene, line, method.options);
+        return (solution.velocity.value() - line_answer(scene, solution.space, law))
+            .lpNorm<Eigen::Infinity>();
+      };
+      BOOST_TEST(apart(verification::reference_method(), verification::rate_of(scene.law())) <
+                 1e-11);
+      for (const auto& kind : rheology::regularisations()) {
+        auto method = verification::newton_method(kind, 1e-3);
+        method.options.newton.tolerance = 1e-16;
+        const rheology::Rheology law(scene.law(), kind, 1e-3);
+        BOOST_TEST(apart(method, verification::rate_of(law)) < 1e-11, method.label);
+        rheology::Rheology other = law;
+        other.lambda_r *= 1 + 1e-4;
+        BOOST_TEST(apart(method, verification::rate_of(other)) > 1e-11, method.label);
+      }
+    }
+}
+
+// The paper's table of findings: its verdicts follow their checks.
+BOOST_AUTO_TEST_CASE(a_wrong_scene_turns_the_verdicts_on_the_paper) {
+  const auto verdicts = [](const oned::ShearScene& chute, const oned::ShearScene& bagnold) {
+    const Chapter chapter = verification::paper_of(chute, bagnold, {});
+    std::set<std::string> open;
+    for (const auto& row : std::get<io::Table>(chapter.blocks[1]).rows)
+      if (row.back() == verification::open_verdict) open.insert(row.front());
+    return open;
+  };
+  auto chute = scene_of(oned::Chute{}), bagnold = scene_of(oned::Bagnold{});
+  BOOST_TEST(verdicts(chute, bagnold).empty());
+  for (oned::ShearScene* scene : {&chute, &bagnold}) {
+    const auto velocity = scene->exact_velocity, rate = scene->exact_shear_rate;
+    scene->exact_velocity = [velocity](double x) { return 1.01 * velocity(x); };
+    scene->exact_shear_rate = [rate](double x) { return 1.1 * rate(x); };
+  }
+  const auto open = verdicts(chute, bagnold);
+  for (const std::string item : {"Fig. 2", "Fig. 3a", "Fig. 4", "Fig. 6", "Fig. 7", "Fig. 7 in 3D"})
+    BOOST_TEST(open.contains(item), item);
+}
+
+BOOST_AUTO_TEST_CASE(a_path_without_a_point_has_no_number) {
+  const verification::Followed none;
+  for (const double each :
+       {none.last().drag, none.last().mean_velocity, none.last().imbalance(),
+        none.last().ill_posed_share, none.largest_loading(), none.smallest_lambda_r()})
+    BOOST_TEST(std::isnan(each));
 }
