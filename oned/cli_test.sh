@@ -153,9 +153,14 @@ check is_at_rest chute "$chute" --pressure 40 --method interior-point
 run "$chute" --max-iterations 1 --no-continuation
 check expect_code 1
 check expect_text stderr stagnated
-run "$chute" --check-jacobian --tangent wrong-sign --elements 5
-check expect_code 1
-check expect_text stdout WRONG
+for tangent in wrong-sign frozen; do
+  run "$chute" --check-jacobian --tangent $tangent --elements 5
+  check expect_code 1
+  check expect_text stdout WRONG "is NOT the derivative"
+done
+check succeeds chute "$chute" --check-jacobian
+check succeeds chute "$chute" --check-jacobian --tangent primal-dual --pressure 20 --lambda-r 1e-10
+check succeeds bagnold "$bagnold" --check-jacobian --grading 2
 
 # 8. Negative controls: each check notices what it is there for.
 check_fails refuses --elements -- "$chute" --elements 5

@@ -5,13 +5,16 @@
 //   cylinder --around 24 --loading 0.02
 //   cylinder --around 24 --sweep 0.044:0.052:3 --regularisation barker-gray --plot
 //   cylinder --around 16 --full --loading 0.03 --penalty plain --lambda-r 1e-4
+//   cylinder --around 16 --lambda-r 1e-4 --check-jacobian
 //   cylinder --around 16 --loading 0.044 --outflow open-viscous --outlet 8 --route lambda-r
 #include <algorithm>
 #include <cmath>
 #include <iostream>
 
+#include "common/flow/dense_jacobian.hpp"
 #include "common/io/options.hpp"
 #include "common/program/method_options.hpp"
+#include "common/program/summary.hpp"
 #include "common/program/work.hpp"
 #include "common/solve/parallel.hpp"
 #include "common/solve/stopwatch.hpp"
@@ -28,6 +31,7 @@ struct Options {
   std::string output = "results/cylinder";
   double lambda_p = 0;  // 0: the penalty's own default
   bool no_pressure_regularisation = false, no_inertia = false, plot = false;
+  bool check_jacobian = false;
   int threads = 1;
 };
 
@@ -102,6 +106,10 @@ int run(Options& options) {
   read(options);
   program::admit("cylinder", "--around", [&](double share) { return task_at(options, share); });
   solve::set_threads(options.threads);
+  if (options.check_jacobian) {
+    const twod::CylinderFlow cylinder(options.run.scene);
+    return program::report("cylinder", flow::check_jacobian(cylinder.flow(), 1));  // p_ext
+  }
   const io::ResultFolder folder(options.output);
   const solve::Stopwatch watch;
   twod::CylinderSweep sweep(options.run, folder);
@@ -212,6 +220,8 @@ int main(int argc, char** argv) {
   app.add_flag("--resume", o.run.resume,
                "Go on from the last accepted state in the folder, with another --continuation too");
   app.add_flag("--plot", o.plot, "Draw the figures (data, gnuplot script, SVG and PNG)");
+  app.add_flag("--check-jacobian", o.check_jacobian,
+               "Only compare the tangent with differences of the residual (take few elements)");
   return io::run_program(app, argc, argv, [&] {
     io::refuse_unused(
         app,

@@ -7,6 +7,7 @@
 #include "common/flow/dense_jacobian.hpp"
 #include "common/flow/manufactured.hpp"
 #include "common/flow/mesh_tools.hpp"
+#include "common/solve/extremes.hpp"
 #include "verification/dense_parts.hpp"
 #include "verification/methods.hpp"
 
@@ -97,7 +98,7 @@ int wrong_blocks_not_caught(const flow::DenseSpace<Dim>& space, const rheology::
       jacobian.product = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
         return right(v) + 0.01 * only(rows, right(only(columns, v)));
       };
-      if (solve::check_blocks(jacobian, scale).passed()) ++not_caught;
+      if (solve::check_jacobian(jacobian, scale).verdict() != solve::Verdict::wrong) ++not_caught;
     }
   return not_caught;
 }
@@ -112,43 +113,51 @@ void check_tangents(Chapter& chapter) {
     flow::DenseFlow<Dim> problem(space, {{}, law, lambda_r}, downwards<Dim>());
     problem.set_tangent_factors(factors);
     const auto jacobian = flow::jacobian_problem(problem, state_at<Dim>(space, at));
-    return Dim == 2 ? solve::check_jacobian(jacobian, scale) : solve::check_blocks(jacobian, scale);
+    return solve::check_jacobian(jacobian, scale);
   };
-  io::Table table{"Velocity-pressure flow: smallest slope over all blocks (" +
-                      std::string(Dim == 2 ? "4 distorted Q9/P1" : "2 distorted H27/P1") +
-                      " elements, inertia, an open boundary)" +
-                      (Dim == 2 ? ", and worst entry over the states" : ""),
-                  {"law", "λr"},
-                  {}};
+  io::Table table{
+      "Velocity-pressure flow: smallest slope over all blocks (" +
+          std::string(Dim == 2 ? "4 distorted Q9/P1" : "2 distorted H27/P1") +
+          " elements, inertia, an open boundary), worst entry and system over the states",
+      {"law", "λr"},
+      {}};
   for (const DenseState& at : dense_states(1)) table.header.push_back(at.name);
-  if (Dim == 2) table.header.push_back("worst entry");
-  double smallest = std::numeric_limits<double>::infinity(), worst_entry = 0;
+  table.header.insert(table.header.end(), {"worst entry", "system"});
+  double smallest = std::numeric_limits<double>::infinity(), worst_entry = 0, worst_system = 0;
   int wrong = 0, not_caught = 0;
   for (const auto& law : rheology::regularisations())
     for (const double lambda_r : Dim == 2 ? std::vector{1e-2, 1e-6} : std::vector{1e-2}) {
       std::vector<std::string> row = {rheology::name_of(law), short_power(lambda_r)};
-      double worst = 0;
+      double worst = 0, system = 0;
       for (const DenseState& at : dense_states(lambda_r)) {
         const auto check = checked(law, lambda_r, at, {});
-        row.push_back(io::fixed(check.smallest_slope(), 3) + (check.passed() ? "" : " WRONG"));
-        smallest = std::fmin(smallest, check.smallest_slope());
-        worst = std::max(worst, check.entries.worst);
+        row.push_back(
+            (std::isinf(check.smallest_slope()) ? "linear" : io::fixed(check.smallest_slope(), 3)) +
+            (check.passed() ? "" : " " + name_of(check.verdict())));
+        smallest = solve::nan_min(smallest, check.smallest_slope());
+        worst = solve::nan_max(worst, check.entries.worst);
+        system = solve::nan_max(system, check.system.error);
         if (!check.passed()) ++wrong;
       }
-      if (Dim == 2) row.push_back(io::rounded(worst, 2));
+      row.insert(row.end(), {io::rounded(worst, 2), io::rounded(system, 2)});
       table.rows.push_back(row);
-      worst_entry = std::max(worst_entry, worst);
+      worst_entry = solve::nan_max(worst_entry, worst);
+      worst_system = solve::nan_max(worst_system, system);
     }
   for (const auto& law : rheology::regularisations())
     for (const double factor : Dim == 2 ? std::vector{0.0, -1.0} : std::vector{0.0})
       for (const flow::TangentFactors& factors :
            {flow::TangentFactors{factor, 1, 1}, {1, factor, 1}, {1, 1, factor}})
-        if (checked(law, 1e-2, {"", 1, 1, 1}, factors).passed()) ++not_caught;
+        if (checked(law, 1e-2, {"", 1, 1, 1}, factors).verdict() != solve::Verdict::wrong)
+          ++not_caught;
   const int blocks_not_caught =
       wrong_blocks_not_caught<Dim>(space, rheology::ChauchatMedale{}, {"", 1, 1, 1}, scale);
   chapter.check(name + "smallest slope over all laws and states", smallest, lowest_slope, 4);
-  if (Dim == 2) chapter.check(name + "largest error of an entry", worst_entry, 0, 1e-5);
-  chapter.check(name + "wrong blocks or entries", wrong, 0, 0);
+  chapter.check(name + "largest error of an entry of the matrix that is factored", worst_entry, 0,
+                1e-6);
+  chapter.check(name + "product and condensed solve, off the matrix, unrefined", worst_system, 0,
+                1e-6);
+  chapter.check(name + "laws and states that do not pass", wrong, 0, 0);
   chapter.check(name +
                     "broken tangents (η'(|γ|), η'(p) or the variation of "
                     "inertia dropped" +
@@ -160,7 +169,7 @@ void check_tangents(Chapter& chapter) {
 
 }  // namespace
 
-// In space less of it, and the blocks alone: entries would take 64 evaluations a column.
+// In space less of it.
 void check_dense_tangents(Chapter& chapter) {
   check_tangents<2>(chapter);
   check_tangents<3>(chapter);

@@ -9,6 +9,8 @@
 #include <functional>
 #include <vector>
 
+#include <Eigen/SparseCore>
+
 #include "common/flow/dense_kernels.hpp"
 #include "common/flow/open_boundary.hpp"
 #include "common/rheology/rheology.hpp"
@@ -50,10 +52,20 @@ class DenseFlow {
   DenseFlow(const Space& space, rheology::Rheology rheology, const DenseLoad<Dim>& load,
             PenaltyOptions penalty = {});
 
+  /// The same space, law, penalty, tangent and inertia (the load's own is ignored) under another
+  /// load.
+  DenseFlow under(DenseLoad<Dim> load) const {
+    load.inertia = inertia_;
+    DenseFlow other(space_, rheology_, load, penalty_);
+    other.factors_ = factors_;
+    return other;
+  }
+
   const Space& space() const { return space_; }
   const rheology::Rheology& rheology() const { return rheology_; }
   void set_rheology(const rheology::Rheology& rheology) { rheology_ = rheology; }
   void set_lambda_r(double lambda_r) { rheology_.lambda_r = lambda_r; }
+  double static_pressure(const Point<Dim>& position) const { return static_pressure_(position); }
   /// The body force is multiplied by this factor; 1 at first.
   double load_factor() const { return load_factor_; }
   void set_load_factor(double factor) { load_factor_ = factor; }
@@ -75,6 +87,10 @@ class DenseFlow {
   bool linear_solve(const Eigen::VectorXd& right_hand_side, State& x);
   /// J x, uncondensed; zero at fixed velocities.
   Eigen::VectorXd tangent_product(const State& x) const;
+  /// The matrix that is factored, before it is condensed, from the same element tangents; without
+  /// the penalty that only the linear solves have it is J. Fixed velocities have no entries.
+  enum class TangentPenalty { of_residual, of_solves };
+  Eigen::SparseMatrix<double> tangent_matrix(TangentPenalty penalty) const;
   /// dR/d(load factor) and, by a central difference, dR/d(ln λr) at a state; the tangent stays.
   Eigen::VectorXd load_derivative() const;
   Eigen::VectorXd log_lambda_r_derivative(const State& state) const;
@@ -107,6 +123,7 @@ class DenseFlow {
   void add_open_sides(const State& x, Eigen::VectorXd& product) const;
   bool solve_linearised(const Eigen::VectorXd& right_hand_side, State& x);
   bool factor();
+  void element_tangents(std::size_t batch, const Pack& penalty, BatchTangent<Dim>& tangent) const;
   const CarriedStress<Dim>* carried_in(std::size_t batch) const {
     return carried_.empty() ? nullptr : &carried_[batch];
   }

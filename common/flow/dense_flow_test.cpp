@@ -62,6 +62,8 @@ solve::NewtonSummary solve_to_round_off(DenseFlow<2>& problem, solve::Compensate
 
 }  // namespace
 
+// Without refinement, against the assembled matrix: four refinements would hide a system that is
+// wrong by a per cent.
 BOOST_AUTO_TEST_CASE(condensing_changes_nothing) {
   const DenseSpace<2> space(awkward_mesh2(3, 3), mixed_conditions<2>());
   const DenseSpace<3> space3(awkward_mesh3(), mixed_conditions<3>());
@@ -69,12 +71,34 @@ BOOST_AUTO_TEST_CASE(condensing_changes_nothing) {
     for (const PenaltyOptions& penalty : {PenaltyOptions{}, PenaltyOptions{Penalty::plain, 1e-4}}) {
       for (const TestState& test : test_states(lambda_r)) {
         DenseFlow<2> problem(space, rheology_of(law), test_load<2>(test.inertia), penalty);
-        BOOST_TEST(condensation_error(problem, state_of(space, test)) < 1e-9,
+        // Hardly any viscosity is left where the pressure is negative, and the penalty outweighs
+        // it.
+        const double bound = test.pressure < 0 ? 1e-6 : 1e-9;
+        BOOST_TEST(condensation_error(problem, state_of(space, test)) < bound,
                    rheology::name_of(law) << ", " << test.name);
       }
       DenseFlow<3> problem(space3, rheology_of(law), test_load<3>(1), penalty);
       BOOST_TEST(condensation_error(problem, state_of(space3, flowing)) < 1e-9);
     }
+}
+
+BOOST_AUTO_TEST_CASE(the_product_without_a_matrix_is_that_of_the_assembled_one) {
+  const DenseSpace<2> space(awkward_mesh2(3, 3), mixed_conditions<2>());
+  const DenseSpace<3> space3(awkward_mesh3(), mixed_conditions<3>());
+  for (const auto& law : rheology::regularisations())
+    for (const TangentFactors& factors :
+         {TangentFactors{}, {0, 1, 1}, {1, 0.5, 1}, {-1, 2, 0}})  // the broken ones as well
+      for (const TestState& test : test_states(lambda_r)) {
+        const PenaltyOptions penalty{Penalty::plain, 1e-2};
+        DenseFlow<2> problem(space, rheology_of(law), test_load<2>(test.inertia), penalty);
+        DenseFlow<3> problem3(space3, rheology_of(law), test_load<3>(test.inertia), penalty);
+        problem.set_tangent_factors(factors);
+        problem3.set_tangent_factors(factors);
+        BOOST_TEST(product_error(problem, state_of(space, test)) < 1e-11, rheology::name_of(law)
+                                                                              << ", " << test.name);
+        BOOST_TEST(product_error(problem3, state_of(space3, test)) < 1e-11,
+                   rheology::name_of(law) << ", " << test.name);
+      }
 }
 
 BOOST_AUTO_TEST_CASE(a_tangent_of_another_state_does_not_solve_this_one) {
@@ -259,11 +283,7 @@ BOOST_AUTO_TEST_CASE(condensing_changes_nothing_with_a_carried_stress) {
   };
   const auto error = [](auto problem, const auto& stress, const auto& state) {
     problem.carry_stress(stress);
-    const Eigen::VectorXd b = problem.evaluate(state).value;
-    solve::CompensatedVector x;
-    BOOST_REQUIRE(problem.linear_solve(b, x));
-    problem.carry_stress(stress);  // the solve has moved it on
-    return distance(problem.tangent_product(x), b);
+    return std::max(1e2 * product_error(problem, state), condensation_error(problem, state));
   };
   const rheology::Rheology rheology = rheology_of(rheology::ChauchatMedale{});
   BOOST_TEST(error(DenseFlow<2>(space, rheology, test_load<2>(1)), stress2,

@@ -1,9 +1,73 @@
 #include "common/flow/dense_jacobian.hpp"
 
 #include <limits>
+#include <memory>
 #include <random>
 
+#include "common/flow/law_check.hpp"
+#include "common/solve/extremes.hpp"
+
 namespace talus::flow {
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+template <int Dim>
+Eigen::VectorXd random_vector(const DenseSpace<Dim>& space) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  Eigen::VectorXd v(space.size());
+  for (double& each : v) each = uniform(random);
+  space.clear_fixed(v);
+  return v;
+}
+
+// Of the pressures of an element and the velocities of its nodes: what changes the shear rate and
+// the total pressure at no point by more than themselves, or than what they are regularised with.
+template <int Dim>
+Eigen::VectorXd curvature_scale(const DenseFlow<Dim>& problem,
+                                const solve::CompensatedVector& state) {
+  const DenseSpace<Dim>& space = problem.space();
+  const rheology::Rheology& law = problem.rheology();
+  const double least_pressure = std::max(law.lambda_r, law.pressure_floor);
+  Eigen::VectorXd scale =
+      Eigen::VectorXd::Constant(space.size(), std::numeric_limits<double>::infinity());
+  const auto lower = [&](Eigen::Index i, double bound) { scale[i] = std::min(scale[i], bound); };
+  for (std::size_t e = 0; e < space.element_count(); ++e)
+    for (const auto& point : gauss_rule<Dim>(3)) {
+      const ElementPoint<Dim> at(space.mesh(), e, point.position);
+      const auto values = space.values_at(state, e, point.position);
+      const double rate = std::max(values.shear_rate(), law.lambda_r);
+      for (int a = 0; a < DenseSpace<Dim>::nodes_per_element; ++a)
+        for (int i = 0; i < Dim; ++i)
+          lower(space.velocity_index(space.mesh().elements[e][static_cast<std::size_t>(a)], i),
+                rate / at.gradients.col(a).norm());
+      const double pressure = std::max(
+          std::abs(values.pressure + problem.static_pressure(at.position)), least_pressure);
+      const auto psi = space.pressure_basis(e, point.position, at.position);
+      for (int k = 0; k <= Dim; ++k)
+        lower(space.pressure_index(e, k), 0.5 * pressure / std::abs(psi[k]));
+    }
+  return scale;
+}
+
+// Velocities with a rate of strain of about `rate` everywhere and nowhere the same, dynamic
+// pressures that differ from element to element.
+template <int Dim>
+solve::CompensatedVector sheared(const DenseSpace<Dim>& space, double rate, double pressure) {
+  auto state = space.start();
+  for (std::size_t node = 0; node < space.mesh().nodes.size(); ++node) {
+    const Point<Dim>& x = space.mesh().nodes[node];
+    for (int i = 0; i < Dim; ++i)
+      state.set(space.velocity_index(static_cast<Eigen::Index>(node), i),
+                rate * (0.8 * x[(i + 1) % Dim] + 0.3 * std::sin(2 * x[i] + x[0] * x[1] + i)));
+  }
+  for (std::size_t e = 0; e < space.element_count(); ++e)
+    state.set(space.pressure_index(e, 0), 0.2 * pressure * std::sin(static_cast<double>(e)));
+  return state;
+}
+
+}  // namespace
 
 template <int Dim>
 solve::JacobianProblem jacobian_problem(DenseFlow<Dim>& problem,
@@ -17,37 +81,93 @@ solve::JacobianProblem jacobian_problem(DenseFlow<Dim>& problem,
       velocity.indices.push_back(i);
   const auto admissible = [&space](Eigen::VectorXd v) {
     space.clear_fixed(v);
-    return solve::CompensatedVector(v);
+    return v;
   };
-  return {space.size(),
-          [&problem, state, admissible](const Eigen::VectorXd& displacement) {
-            return problem.evaluate(state.moved(1, admissible(displacement)));
-          },
-          [&problem, state, admissible](const Eigen::VectorXd& direction) {
-            problem.evaluate(state);
-            return problem.tangent_product(admissible(direction));
-          },
-          {velocity, pressure},
-          {velocity, pressure}};
+  problem.evaluate(state);
+  const auto matrix =
+      std::make_shared<Matrix>(problem.tangent_matrix(DenseFlow<Dim>::TangentPenalty::of_residual));
+  return {
+      space.size(),
+      [&problem, state, admissible](const Eigen::VectorXd& displacement) {
+        return problem.evaluate(state.moved(1, solve::CompensatedVector(admissible(displacement))));
+      },
+      [matrix, admissible](const Eigen::VectorXd& direction) -> Eigen::VectorXd {
+        return *matrix * admissible(direction);
+      },
+      {velocity, pressure},
+      {velocity, pressure},
+      curvature_scale(problem, state),
+      [&problem, state] {
+        return solve::nan_max(product_error(problem, state), condensation_error(problem, state));
+      }};
+}
+
+template <int Dim>
+double product_error(DenseFlow<Dim>& problem, const solve::CompensatedVector& state) {
+  problem.evaluate(state);
+  const Matrix matrix = problem.tangent_matrix(DenseFlow<Dim>::TangentPenalty::of_residual);
+  const Eigen::VectorXd v =
+      random_vector(problem.space()).cwiseProduct(curvature_scale(problem, state));
+  const Eigen::VectorXd off =
+      (problem.tangent_product(solve::CompensatedVector(v)) - matrix * v).cwiseAbs();
+  const Eigen::VectorXd size = matrix.cwiseAbs() * v.cwiseAbs();
+  double worst = 0;
+  for (Eigen::Index i = 0; i < off.size(); ++i)
+    if (off[i] != 0) worst = solve::nan_max(worst, off[i] / size[i]);
+  return worst;
 }
 
 template <int Dim>
 double condensation_error(DenseFlow<Dim>& problem, const solve::CompensatedVector& state) {
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  Eigen::VectorXd b(problem.space().size());
-  for (double& each : b) each = uniform(random);
-  problem.space().clear_fixed(b);
+  const Eigen::VectorXd b = random_vector(problem.space());
   problem.evaluate(state);
-  solve::CompensatedVector x;
-  if (!problem.linear_solve(b, x)) return std::numeric_limits<double>::infinity();
-  return (b - problem.tangent_product(x)).template lpNorm<Eigen::Infinity>() /
-         b.template lpNorm<Eigen::Infinity>();
+  const Matrix matrix = problem.tangent_matrix(DenseFlow<Dim>::TangentPenalty::of_solves);
+  solve::CompensatedVector refined;
+  Eigen::VectorXd x;
+  if (!problem.linear_solve(b, refined) || !problem.system().solve(b, x))
+    return std::numeric_limits<double>::infinity();
+  const Eigen::VectorXd off = (b - matrix * x).cwiseAbs();
+  const Eigen::VectorXd size = matrix.cwiseAbs() * x.cwiseAbs() + b.cwiseAbs();
+  const Eigen::Index split = problem.space().velocity_count();
+  const auto largest = [](const auto& part) {
+    double result = 0;
+    for (const double each : part) result = solve::nan_max(result, each);
+    return result;
+  };
+  return solve::nan_max(
+      largest(off.head(split)) / largest(size.head(split)),
+      largest(off.tail(off.size() - split)) / largest(size.tail(size.size() - split)));
+}
+
+template <int Dim>
+std::vector<solve::NamedCheck> check_jacobian(const DenseFlow<Dim>& scene, double pressure) {
+  const rheology::Rheology& law = scene.rheology();
+  std::vector<solve::NamedCheck> checks{check_law(law, pressure)};
+  const auto check = [&](const char* name, double rate, double about) {
+    // Static pressures between half and one and a half times `about`.
+    DenseFlow<Dim> flow =
+        scene.under({[=](const Point<Dim>& x) { return about * (1 + 0.5 * std::sin(3 * x.sum())); },
+                     [](const Point<Dim>&) -> Point<Dim> { return Point<Dim>::Zero(); }});
+    const auto state = sheared(scene.space(), rate, about);
+    checks.push_back({name, solve::check_jacobian(jacobian_problem(flow, state))});
+  };
+  const double flowing = law.law.reference_shear_rate(pressure);
+  check("at rest", 0, pressure);
+  check("in plug", 5e-3 * law.lambda_r, pressure);
+  check("at yield", law.lambda_r, pressure);
+  check("flowing", flowing, pressure);
+  check("flowing at a tiny pressure", flowing, 0.1 * std::max(law.lambda_r, law.pressure_floor));
+  check("flowing at a negative pressure", flowing, -pressure);
+  return checks;
 }
 
 template solve::JacobianProblem jacobian_problem(DenseFlow<2>&, const solve::CompensatedVector&);
 template solve::JacobianProblem jacobian_problem(DenseFlow<3>&, const solve::CompensatedVector&);
+template double product_error(DenseFlow<2>&, const solve::CompensatedVector&);
+template double product_error(DenseFlow<3>&, const solve::CompensatedVector&);
 template double condensation_error(DenseFlow<2>&, const solve::CompensatedVector&);
 template double condensation_error(DenseFlow<3>&, const solve::CompensatedVector&);
+template std::vector<solve::NamedCheck> check_jacobian(const DenseFlow<2>&, double);
+template std::vector<solve::NamedCheck> check_jacobian(const DenseFlow<3>&, double);
 
 }  // namespace talus::flow

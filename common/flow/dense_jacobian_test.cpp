@@ -86,6 +86,38 @@ BOOST_AUTO_TEST_CASE(a_part_of_the_tangent_left_out_or_with_its_sign_wrong_is_ca
       }
 }
 
+// What --check-jacobian tries.
+BOOST_AUTO_TEST_CASE(a_scene_passes_at_every_state_and_fails_with_any_part_of_its_tangent_broken) {
+  const DenseSpace<2> space(awkward_mesh2(2, 1), mixed_conditions<2>());
+  const std::vector<double> once{0, 1};
+  const DenseSpace<3> space3(curved(box_mesh(once, once, once)), mixed_conditions<3>());
+  const auto worst = [](const auto& scene, double pressure) {
+    auto verdict = solve::Verdict::right;
+    for (const auto& [state, check] : check_jacobian(scene, pressure))
+      verdict = std::max(verdict, check.verdict());
+    return name_of(verdict);
+  };
+  const std::vector<double> pressures{0.3, 1, 20};
+  const std::vector<double> factors{2, 0.5, 0, -1, 1.01, std::numeric_limits<double>::quiet_NaN()};
+  std::size_t count = 0;
+  for (const auto& law : rheology::regularisations())
+    for (const double each : {1e-1, 1e-4, 1e-10}) {
+      DenseFlow<2> scene(space, {{}, law, each}, test_load<2>(1));
+      const double pressure = pressures[count % 3];
+      BOOST_TEST(worst(scene, pressure) == "ok", rheology::name_of(law) << ", " << each);
+      const double f = factors[count++ % 6];
+      for (const TangentFactors& broken : {TangentFactors{f, 1, 1}, {1, f, 1}, {1, 1, f}}) {
+        scene.set_tangent_factors(broken);
+        BOOST_TEST(worst(scene, pressure) == "WRONG", rheology::name_of(law)
+                                                          << ", " << each << ", factor " << f);
+      }
+    }
+  DenseFlow<3> scene(space3, rheology_of(rheology::ChauchatMedale{}), test_load<3>(1));
+  BOOST_TEST(worst(scene, 1) == "ok");
+  scene.set_tangent_factors({1, 2, 1});
+  BOOST_TEST(worst(scene, 1) == "WRONG");
+}
+
 BOOST_AUTO_TEST_CASE(a_percent_missing_at_the_open_boundary_is_caught) {
   const DenseSpace<2> space(awkward_mesh2(2, 2), mixed_conditions<2>());
   const DenseSpace<2> closed(awkward_mesh2(2, 2), mixed_conditions<2>(false));

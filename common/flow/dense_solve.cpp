@@ -48,9 +48,7 @@ bool DenseFlow<Dim>::factor() {
   system_.set_zero();
   space_.for_each_batch([&](std::size_t b) {
     BatchTangent<Dim> tangent;
-    batch_tangent<Dim>(space_, space_.batches()[b], states_[b], carried_in(b), tangent_penalty(b),
-                       inertia_, factors_, tangent);
-    add_open_sides(b, tangent);
+    element_tangents(b, tangent_penalty(b), tangent);
     system_.add(b, tangent);
   });
   ++factorisations_;
@@ -58,6 +56,48 @@ bool DenseFlow<Dim>::factor() {
   lag_ = {};
   if (is_factored_) lag_.factored(system_.solves_per_factorisation());
   return is_factored_;
+}
+
+template <int Dim>
+void DenseFlow<Dim>::element_tangents(std::size_t b, const Pack& penalty,
+                                      BatchTangent<Dim>& tangent) const {
+  batch_tangent<Dim>(space_, space_.batches()[b], states_[b], carried_in(b), penalty, inertia_,
+                     factors_, tangent);
+  add_open_sides(b, tangent);
+}
+
+template <int Dim>
+Eigen::SparseMatrix<double> DenseFlow<Dim>::tangent_matrix(TangentPenalty penalty) const {
+  constexpr std::size_t velocities = BatchTangent<Dim>::velocities;
+  constexpr std::size_t unknowns = velocities + BatchTangent<Dim>::pressures;
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto is_fixed = [&](Eigen::Index i) {
+    return i < space_.velocity_count() && space_.is_fixed(i);
+  };
+  for (std::size_t b = 0; b < space_.batches().size(); ++b) {
+    BatchTangent<Dim> tangent;
+    element_tangents(
+        b, penalty == TangentPenalty::of_solves ? tangent_penalty(b) : Pack(residual_penalty()),
+        tangent);
+    const auto entry = [&](std::size_t i, std::size_t j) -> const Pack& {
+      return i < velocities   ? j < velocities ? tangent.velocity_velocity[i][j]
+                                               : tangent.velocity_pressure[i][j - velocities]
+               : j < velocities ? tangent.pressure_velocity[i - velocities][j]
+                              : tangent.pressure_pressure[i - velocities][j - velocities];
+    };
+    const auto& batch = space_.batches()[b];
+    for (std::size_t lane = 0; lane < batch.count; ++lane) {
+      const auto index = element_unknowns(space_, batch.elements[lane]);
+      for (std::size_t i = 0; i < unknowns; ++i)
+        for (std::size_t j = 0; j < unknowns; ++j)
+          if (!is_fixed(index[i]) && !is_fixed(index[j]))
+            entries.emplace_back(static_cast<int>(index[i]), static_cast<int>(index[j]),
+                                 entry(i, j)[lane]);
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(space_.size(), space_.size());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
 }
 
 // With M the matrix last factored: M⁻¹J x = M⁻¹b by GMRES, which takes the penalty out as well.
@@ -132,6 +172,10 @@ template bool DenseFlow<2>::linear_solve(const Eigen::VectorXd&, State&);
 template bool DenseFlow<2>::solve_linearised(const Eigen::VectorXd&, State&);
 template bool DenseFlow<3>::linear_solve(const Eigen::VectorXd&, State&);
 template bool DenseFlow<3>::solve_linearised(const Eigen::VectorXd&, State&);
+template Eigen::SparseMatrix<double> DenseFlow<2>::tangent_matrix(TangentPenalty) const;
+template Eigen::SparseMatrix<double> DenseFlow<3>::tangent_matrix(TangentPenalty) const;
+template void DenseFlow<2>::element_tangents(std::size_t, const Pack&, BatchTangent<2>&) const;
+template void DenseFlow<3>::element_tangents(std::size_t, const Pack&, BatchTangent<3>&) const;
 template bool DenseFlow<2>::factor();
 template bool DenseFlow<3>::factor();
 template bool DenseFlow<2>::iterate(const Eigen::VectorXd&, State&);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
+#include <random>
 
 namespace talus::flow {
 namespace {
@@ -23,6 +25,49 @@ std::vector<solve::Block> node_blocks(const CrossSection<Dim>& space) {
     if (!space.mesh().fixed[i])
       (is_interior[i] ? inner : outer).indices.push_back(static_cast<Eigen::Index>(i));
   return {outer, inner};
+}
+
+// Of every node: what changes the gradient at no point around it by more than `width`.
+template <int Dim>
+Eigen::VectorXd nodal_scale(const CrossSection<Dim>& space, const std::vector<double>& width) {
+  Eigen::VectorXd scale =
+      Eigen::VectorXd::Constant(space.node_count(), std::numeric_limits<double>::infinity());
+  for (std::size_t e = 0; e < space.element_count(); ++e)
+    for (const std::size_t k : space.points_of(e))
+      for (int a = 0; a < CrossSection<Dim>::nodes_per_element; ++a) {
+        double& at = scale[space.mesh().elements[e][static_cast<std::size_t>(a)]];
+        at = std::min(at, width[k] / space.points()[k].gradients.col(a).norm());
+      }
+  return scale;
+}
+
+// How far a random system is from solved, relative to its right-hand side.
+template <int Dim>
+double solve_error(ShearFlow<Dim> problem, const CrossSection<Dim>& space,
+                   const solve::CompensatedVector& state) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  Eigen::VectorXd b(space.node_count());
+  for (double& each : b) each = uniform(random);
+  space.clear_fixed(b);
+  problem.evaluate(state);
+  solve::CompensatedVector x;
+  if (!problem.linear_solve(b, x)) return std::numeric_limits<double>::infinity();
+  return (b - problem.tangent_product(x)).template lpNorm<Eigen::Infinity>() /
+         b.template lpNorm<Eigen::Infinity>();
+}
+
+// Σ w |Gᵀ||τ| at every node: what equilibrium sums up.
+template <int Dim>
+Eigen::VectorXd force_size(const CrossSection<Dim>& space, const ConeState<Dim>& state) {
+  Eigen::VectorXd size = Eigen::VectorXd::Zero(space.node_count());
+  for (std::size_t e = 0; e < space.element_count(); ++e)
+    for (const std::size_t k : space.points_of(e))
+      for (int a = 0; a < CrossSection<Dim>::nodes_per_element; ++a)
+        size[space.mesh().elements[e][static_cast<std::size_t>(a)]] +=
+            space.points()[k].weight * space.points()[k].gradients.col(a).norm() *
+            state.stress[k].norm();
+  return size;
 }
 
 // A ConeStep as one vector: velocity of all nodes, then t, z and τ of all points.
@@ -68,15 +113,24 @@ solve::JacobianProblem jacobian_problem(ShearFlow<Dim>& problem, const CrossSect
     space.clear_fixed(v);
     return solve::CompensatedVector(v);
   };
+  const auto linearised = std::make_shared<ShearFlow<Dim>>(problem);
+  linearised->evaluate(state);
+  // The viscosity curves over the shear rate itself, or over λr where that is larger.
+  std::vector<typename CrossSection<Dim>::Vector> gradients;
+  space.gradients(state, gradients);
+  std::vector<double> width;
+  for (const auto& g : gradients) width.push_back(std::max(g.norm(), problem.rheology().lambda_r));
   return {space.node_count(),
           [&problem, state, admissible](const Eigen::VectorXd& displacement) {
             return problem.evaluate(state.moved(1, admissible(displacement)));
           },
-          [&problem, state, admissible](const Eigen::VectorXd& direction) {
-            problem.evaluate(state);
-            return problem.tangent_product(admissible(direction));
+          [linearised, admissible](const Eigen::VectorXd& direction) {
+            return linearised->tangent_product(admissible(direction));
           },
-          blocks, blocks};
+          blocks,
+          blocks,
+          nodal_scale(space, width),
+          [linearised, &space, state] { return solve_error(*linearised, space, state); }};
 }
 
 template <int Dim>
@@ -94,16 +148,27 @@ solve::JacobianProblem jacobian_problem(const InteriorPoint<Dim>& problem,
                                      {names[2], range(nodes + points, points)},
                                      {names[3], range(nodes + 2 * points, Dim * points)}};
   };
+  Eigen::VectorXd scale(nodes + (2 + Dim) * points);
+  scale.head(nodes) = nodal_scale(space, state.bound);
+  for (Eigen::Index k = 0; k < points; ++k) {
+    const auto q = static_cast<std::size_t>(k);
+    scale[nodes + k] = state.bound[q];
+    scale[nodes + points + k] = state.dual_bound[q];
+    scale.segment<Dim>(nodes + 2 * points + Dim * k).setConstant(state.dual_bound[q]);
+  }
   return {nodes + (2 + Dim) * points,
           [&problem, &space, state](const Eigen::VectorXd& displacement) {
             const auto moved = problem.moved(state, 1, unpack(space, displacement));
-            solve::Residual r;
-            r.value = pack(problem.residual(moved));
-            // Every row is a short sum of products of numbers no larger than these.
-            const double largest =
-                std::max({1.0, *std::max_element(moved.bound.begin(), moved.bound.end()),
-                          *std::max_element(moved.dual_bound.begin(), moved.dual_bound.end())});
-            r.magnitude = Eigen::VectorXd::Constant(r.value.size(), largest * largest);
+            const ConeResidual<Dim> value = problem.residual(moved);
+            ConeResidual<Dim> size{force_size(space, moved), {}, {}, {}};
+            for (std::size_t k = 0; k < moved.bound.size(); ++k) {
+              const double t = std::abs(moved.bound[k]), z = std::abs(moved.dual_bound[k]);
+              const double g = moved.gradient[k].norm(), stress = moved.stress[k].norm();
+              size.law.push_back(std::abs(value.law[k]) + 2 * z);
+              size.product.push_back(t * z + g * stress);
+              size.alignment.push_back(ConeState<Dim>::Vector::Constant(z * g + t * stress));
+            }
+            solve::Residual r{pack(value), pack(size), {}};
             r.round_off = 16 * std::numeric_limits<double>::epsilon() * r.magnitude;
             return r;
           },
@@ -111,7 +176,8 @@ solve::JacobianProblem jacobian_problem(const InteriorPoint<Dim>& problem,
             return pack(problem.linearised(state, unpack(space, direction)));
           },
           blocks({"equilibrium", "law", "product", "alignment"}),
-          blocks({"velocity", "bound t", "dual bound z", "stress"})};
+          blocks({"velocity", "bound t", "dual bound z", "stress"}),
+          scale};
 }
 
 template <int Dim>

@@ -7,7 +7,8 @@
 
 namespace talus::flow {
 
-/// R(w) and K w of the regularised problem about `state`; blocks: skeleton nodes, interior nodes.
+/// R(w) and K w of the regularised problem about `state`, and how well its system is solved;
+/// blocks: skeleton nodes, interior nodes.
 /// `problem` and `space` must outlive the result.
 template <int Dim>
 solve::JacobianProblem jacobian_problem(ShearFlow<Dim>& problem, const CrossSection<Dim>& space,

@@ -42,10 +42,12 @@ auto ShearFlow<Dim>::tangent(const rheology::Viscosity& v, const Vector& g, std:
   const typename Space::Tangent isotropic = v.eta * Space::Tangent::Identity();
   const double shear_rate = g.norm();
   // Without a viscosity (p_regu = 0) there is no slope either, and nothing to divide τ by.
-  if (shear_rate == 0 || v.eta == 0 || tangent_term_ == TangentTerm::frozen) return isotropic;
-  const double slope = v.d_eta_d_shear_rate / shear_rate;
-  if (tangent_term_ == TangentTerm::wrong_sign) return isotropic - slope * (g * g.transpose());
-  if (tangent_term_ == TangentTerm::full || carried_stress_.empty())
+  if (shear_rate == 0 || v.eta == 0) return isotropic;
+  const double factor = tangent_term_ == TangentTerm::frozen       ? 0
+                        : tangent_term_ == TangentTerm::wrong_sign ? -slope_factor_
+                                                                   : slope_factor_;
+  const double slope = factor * v.d_eta_d_shear_rate / shear_rate;
+  if (tangent_term_ != TangentTerm::primal_dual || carried_stress_.empty())
     return isotropic + slope * (g * g.transpose());
   // τ is cut to where the tangent stays positive definite, |τ| < σ/(1 - x), σ = η|g|,
   // x = d ln σ/d ln|g|: at σ(1 + x/2).

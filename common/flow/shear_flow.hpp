@@ -39,6 +39,8 @@ class ShearFlow {
   const rheology::Rheology& rheology() const { return rheology_; }
   void set_lambda_r(double lambda_r);
   void set_tangent_term(TangentTerm term) { tangent_term_ = term; }
+  /// Multiplies η' in the tangent: 1 is right; the others exist to show that checks find them.
+  void set_slope_factor(double factor) { slope_factor_ = factor; }
   /// Lets the primal-dual tangent carry the stress of these gradients at the quadrature points.
   void carry_stress_of(std::span<const Vector> gradients);
   const Eigen::VectorXd& load() const { return load_; }
@@ -66,6 +68,7 @@ class ShearFlow {
   Space& space_;
   rheology::Rheology rheology_;
   TangentTerm tangent_term_ = TangentTerm::full;
+  double slope_factor_ = 1;
   std::vector<double> total_pressure_, regularised_pressure_;
   Eigen::VectorXd load_;
   std::vector<typename Space::Tangent> tangents_;

@@ -28,6 +28,7 @@ struct ShearOptions {
   solve::ContinuationOptions path;
   solve::Precision precision = solve::Precision::compensated;
   TangentTerm tangent_term = TangentTerm::full;
+  double slope_factor = 1;  ///< of η' in the tangent; see ShearFlow::set_slope_factor
   InteriorPointOptions interior_point;
   std::function<void(const solve::CompensatedVector&)> observe = {};  ///< Newton's iterates
 };
@@ -76,14 +77,11 @@ template <int Dim>
 ShearSolution solve_shear(CrossSection<Dim>& space, const ShearLoad<Dim>& load,
                           const ShearOptions& options, const ShearStart<Dim>* start = nullptr);
 
-/// A Jacobian check at a named state.
-struct NamedCheck {
-  std::string state;
-  solve::JacobianCheck check;
-};
+using solve::NamedCheck;
 
-/// Checks the linearisation of the chosen method at rest, half way to the solution, and there (the
-/// interior point after 0, 3 and 6 steps). Columns are differenced one by one: for small meshes.
+/// Checks the linearisation of the chosen method on this mesh, at states that need no solve: the
+/// law alone, at rest, in plug, at yield and in flow; the interior point at its start, in plug and
+/// in flow. The load only adds a constant and is left out.
 template <int Dim>
 std::vector<NamedCheck> check_jacobian(CrossSection<Dim>& space, const ShearLoad<Dim>& load,
                                        const ShearOptions& options);
