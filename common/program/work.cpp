@@ -67,13 +67,14 @@ Work dense_work(const std::array<int, 3>& elements, double unknowns_per_node, in
 void admit(const std::string& program, const std::string& option,
            const std::function<Task(double share)>& at_share) {
   constexpr double large = 0.5, hour = 3600;
+  constexpr double comfortable = 0.7;  // of what there is, so that what is said to fit does
   const auto [value, work] = at_share(1);
   const double available = solve::available_memory();
   const std::string asked = option + ": '" + value + "'", memory = solve::in_gigabytes(work.bytes),
                     there = solve::in_gigabytes(available);
   if (!(work.bytes <= available))
     throw io::UserError(asked + " needs about " + memory + " of memory, " + there +
-                        " are available; " + largest_that_fits(at_share, available));
+                        " are available; " + largest_that_fits(at_share, comfortable * available));
   if (work.bytes > large * available || work.seconds > hour)
     std::cerr << program << ": " << asked << " will take about " << memory << " of memory ("
               << there << " are available) and " << duration(work.seconds) << '\n';

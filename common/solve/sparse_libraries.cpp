@@ -3,13 +3,20 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <vector>
 
 #include <SuiteSparse_config.h>
 #include <omp.h>
 #include <sys/mman.h>
 
+#include "common/solve/memory.hpp"
+
 // Of OpenBLAS; null with any other BLAS.
 extern "C" __attribute__((weak)) void openblas_set_num_threads(int);
+extern "C" __attribute__((weak)) void dgemm_(const char*, const char*, const int*, const int*,
+                                             const int*, const double*, const double*, const int*,
+                                             const double*, const int*, const double*, double*,
+                                             const int*);
 
 namespace talus::solve {
 namespace {
@@ -38,11 +45,28 @@ void* reallocate(void* block, std::size_t size) {
   return on_huge_pages(std::realloc(block, size), size);
 }
 
+// OpenBLAS takes its buffer at its first product, and waits for it for ever where there is no
+// memory. It keeps it: so let it ask while there is.
+void let_blas_have_its_buffer() {
+  static const bool has_it = [] {
+    constexpr double buffer = 1.2e8;
+    require_memory("products of dense matrices", buffer);
+    constexpr int n = 128;
+    constexpr double one = 1, zero = 0;
+    const std::vector<double> a(n * n, 1.0);
+    std::vector<double> c(n * n);
+    if (dgemm_) dgemm_("N", "N", &n, &n, &n, &one, a.data(), &n, a.data(), &n, &zero, c.data(), &n);
+    return true;
+  }();
+  static_cast<void>(has_it);
+}
+
 }  // namespace
 
 void prepare_sparse_libraries() {
   omp_set_max_active_levels(0);
   if (openblas_set_num_threads) openblas_set_num_threads(1);
+  let_blas_have_its_buffer();
   SuiteSparse_config.malloc_func = allocate;
   SuiteSparse_config.realloc_func = reallocate;
   SuiteSparse_config.printf_func = nullptr;
