@@ -130,18 +130,18 @@ check holds_one_run heap "$heap" --elements 7x10
 check says_when_stdout_is_full "$heap" --elements 7x10
 
 # What does not fit into memory is refused before it begins, with the size that would; that one fits.
-with_600_mb=(bash -c 'ulimit -v 600000; exec "$@"' bash)
+with_1_gb=(bash -c 'ulimit -v 1200000; exec "$@"' bash)
 fitting() {  # the size that the last run said would fit
   sed -n "s/.*available; \([0-9x]*\) would fit$/\1/p" "$work/stderr"
 }
 check refuses --elements "'900x1100'" GB available "would fit" -- \
-  "${with_600_mb[@]}" "$heap" --elements 900x1100
+  "${with_1_gb[@]}" "$heap" --elements 900x1100
 size=$(fitting)
-run "${with_600_mb[@]}" "$heap" --elements "${size:-none}" --max-iterations 2
+run "${with_1_gb[@]}" "$heap" --elements "${size:-none}" --max-iterations 1
 check expect_code 1
 check expect_text stderr stagnated
 check refuses --elements "'46x46x46'" GB available "would fit" -- \
-  "${with_600_mb[@]}" "$heap" --model 3d --elements 46x46x46
+  "${with_1_gb[@]}" "$heap" --model 3d --elements 46x46x46
 check refuses --elements "'100000x100000'" -- "$heap" --elements 100000x100000
 
 # 4. The limits of existence.
