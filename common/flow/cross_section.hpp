@@ -95,6 +95,8 @@ class CrossSection {
   /// In more than one dimension with one step of refinement: the solution is compensated, so that
   /// differences in a stiff plug come out better than the factor alone could give them.
   bool solve(const Eigen::VectorXd& right_hand_side, solve::CompensatedVector& solution) const;
+  /// The same without refinement, which would hide a small error of the factors.
+  bool solve_once(const Eigen::VectorXd& right_hand_side, solve::CompensatedVector& solution) const;
   /// The product of the uncondensed matrix of these point tangents with x; zero at fixed nodes.
   Eigen::VectorXd product(std::span<const Tangent> tangents,
                           const solve::CompensatedVector& x) const;
@@ -103,7 +105,6 @@ class CrossSection {
 
  private:
   void add_wall_points(const Face& side, int points_per_direction);
-  bool solve_once(const Eigen::VectorXd& right_hand_side, solve::CompensatedVector& solution) const;
 
   Mesh<Dim> mesh_;
   std::vector<Point> points_;
