@@ -1,0 +1,119 @@
+#include "verification/fuzz/campaign.hpp"
+
+#include <atomic>
+#include <csignal>
+#include <ostream>
+#include <thread>
+
+#include <stdlib.h>
+
+#include "common/io/progress.hpp"
+#include "common/io/result_folder.hpp"
+
+namespace talus::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::atomic<bool> is_interrupted = false;
+
+// Removed with all that is in it.
+class Scratch {
+ public:
+  Scratch() {
+    std::string name = (fs::temp_directory_path() / "talus_fuzz_XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw io::UserError("no folder for the fuzz in " + name);
+    path_ = name;
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+struct Task {
+  const Kind* kind;
+  int number;
+};
+
+std::vector<Task> tasks_of(const CampaignOptions& options) {
+  std::vector<Task> tasks;
+  for (const Kind& kind : options.kinds) {
+    if (options.only) {
+      tasks.push_back({&kind, *options.only});
+      continue;
+    }
+    const int count = options.count.value_or(options.full ? kind.many : kind.few);
+    for (int i = 0; i < count; ++i) tasks.push_back({&kind, i});
+  }
+  return tasks;
+}
+
+}  // namespace
+
+io::Table Findings::table() const {
+  io::Table table{"", {"kind", "outcome", "trials"}, {}};
+  for (const auto& [kind, outcomes] : counts)
+    for (const auto& [outcome, count] : outcomes)
+      table.rows.push_back({kind, outcome, std::to_string(count)});
+  return table;
+}
+
+Findings campaign(const CampaignOptions& options, const fs::path& folder, std::ostream& out) {
+  const Scratch scratch;
+  const Programs programs(folder, scratch.path(), options.time_limit);
+  const std::vector<Task> tasks = tasks_of(options);
+  Findings findings;
+  io::Progress progress;
+  std::mutex mutex;
+  std::atomic<std::size_t> next = 0;
+
+  const auto note = [&](const Task& task, const Trial& trial) {
+    const std::lock_guard lock(mutex);
+    ++findings.counts[task.kind->name][trial.outcome()];
+    for (const std::string& fault : trial.faults()) {
+      findings.faults.push_back({task.kind->name, trial.script(), fault, task.number});
+      out << "FAULT " << fault << " | ./run fuzz --seed " << options.seed << " --kinds "
+          << task.kind->name << " --only " << task.number << " | " << trial.script() << std::endl;
+    }
+    progress.show(task.kind->name + " " + std::to_string(task.number) + ", " +
+                      std::to_string(findings.faults.size()) + " faults",
+                  static_cast<double>(next) / static_cast<double>(tasks.size()));
+  };
+  const auto work = [&] {
+    for (std::size_t i; (i = next++) < tasks.size() && !is_interrupted;) {
+      const Task& task = tasks[i];
+      const std::string name = task.kind->name + "_" + std::to_string(task.number);
+      fs::create_directory(scratch.path() / name);
+      Trial trial(programs, Random(options.seed, task.kind->name, task.number),
+                  scratch.path() / name);
+      try {
+        task.kind->run(trial);
+      } catch (const std::exception& error) {
+        trial.expect(false, std::string("the fuzz itself: ") + error.what());
+      }
+      std::error_code ignored;
+      fs::remove_all(trial.folder, ignored);
+      note(task, trial);
+    }
+  };
+
+  const auto stop = [](int) { is_interrupted = true; };
+  const auto old_int = std::signal(SIGINT, stop), old_term = std::signal(SIGTERM, stop);
+  {
+    std::vector<std::jthread> workers;
+    for (int i = 0; i < options.jobs; ++i) workers.emplace_back(work);
+  }
+  std::signal(SIGINT, old_int);
+  std::signal(SIGTERM, old_term);
+  findings.interrupted = is_interrupted;
+  return findings;
+}
+
+}  // namespace talus::fuzz
