@@ -21,6 +21,11 @@ is_below() {  # BOUND KEY...
   done
 }
 
+is_close() {  # KEY VALUE: that of results in the last summary is near it, relative to 1e-5
+  awk -v a="$(result "$1")" -v b="$2" 'BEGIN { exit !((a - b)^2 <= (1e-5 * b)^2) }' ||
+    { echo "$1 is '$(result "$1")', not $2"; return 1; }
+}
+
 has_file() { [ -s "$work/run/results/heap/$1" ] || { echo "no $1"; return 1; }; }
 
 # 1. The sample runs of the program's header; --plot draws the section's figure or the heap's.
@@ -164,7 +169,24 @@ for model in section 3d; do
   check expect_text stdout WRONG
 done
 
-# 6. Negative controls.
+# 6. An angle is found for every flow rate that one carries; for others the end is named.
+check succeeds heap "$heap" --elements 7x10 --flow-rate 5000
+check is_close flow_rate 5000
+check succeeds heap "$heap" --elements 7x10 --friction 0.383,0.015,0.279 --flow-rate 10
+check is_close flow_rate 10
+check succeeds heap "$heap" --model 3d --elements 1x3x4 --flow-rate 40 --tolerance 1e-7
+check is_close flow_rate 40
+check_fails is_close flow_rate 41
+run "$heap" --elements 4x5 --flow-rate 1e6
+check expect_code 1
+check expect_text stderr no_steady_state "the largest found is" "lower --flow-rate"
+check expect_text run/results/heap/summary.json '"status": "no_steady_state"'
+run "$heap" --elements 4x5 --flow-rate 40 --max-iterations 2
+check expect_code 1
+check expect_text stderr stagnated
+check expect_text run/results/heap/summary.json '"status": "stagnated"'
+
+# 7. Negative controls.
 check_fails refuses --elements -- "$heap" --elements 3x4
 check_fails refuses --elements -- "$heap" --model 3d --elements 1x3x4
 check_fails is_at_rest heap "$heap" --elements 7x10 --angle 0.42

@@ -129,6 +129,16 @@ void write_files(const io::ResultFolder& folder, const Found& found, const nlohm
   std::cout << "results in " << folder.path().string() << ":" << written << '\n';
 }
 
+// No solution, and why: the summary says so too.
+int refuse(const io::ResultFolder& folder, nlohmann::json results, solve::End end,
+           const std::string& why) {
+  results["status"] = solve::name_of(end);
+  results["results"] = nlohmann::json::object();
+  folder.write("summary.json", results.dump(2) + "\n");
+  std::cerr << "heap: " << solve::name_of(end) << ": " << why << '\n';
+  return 1;
+}
+
 int run(const CLI::App& app, Options& options) {
   // 1. The mesh of half the section.
   threed::interpret(app, options);
@@ -142,18 +152,20 @@ int run(const CLI::App& app, Options& options) {
       {"scene", "heap"}, {"model", options.model}, {"parameters", parameters(options)}};
 
   // 2. The limits of existence come first.
-  if (twod::regime(options.section) == rheology::Regime::no_steady_state) {
-    results["status"] = solve::name_of(solve::End::no_steady_state);
-    results["results"] = nlohmann::json::object();
-    folder.write("summary.json", results.dump(2) + "\n");
-    std::cerr << "heap: no_steady_state: no steady flow for angle >= "
-              << io::rounded(std::atan(options.section.law.mu_2()), 6) << "; "
-              << solve::advice_for(solve::End::no_steady_state) << '\n';
-    return 1;
-  }
+  const bool searches = options.flow_rate > 0;
+  if (!searches && twod::regime(options.section) == rheology::Regime::no_steady_state)
+    return refuse(
+        folder, results, solve::End::no_steady_state,
+        "no steady flow for angle >= " + io::rounded(std::atan(options.section.law.mu_2()), 6) +
+            "; " + solve::advice_for(solve::End::no_steady_state));
 
   // 3. The solve, what came out, and the files.
-  const Found found = solve(options, space);
+  Found found;
+  try {
+    found = solve(options, space);
+  } catch (const twod::FlowRateError& error) {
+    return refuse(folder, results, error.end, error.what());
+  }
   const twod::SectionSolution& solution = found.solution();
   results.update(found.heap ? threed::summary(*found.heap, space) : twod::summary(solution, space));
   if (found.heap && found.section && solve::is_success(solution.end))

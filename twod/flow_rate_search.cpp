@@ -2,18 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <stdexcept>
+#include <optional>
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_roots.h>
+#include "common/io/table.hpp"
 
 namespace talus::twod {
 namespace {
 
-constexpr double rate_tolerance = 5e-9;  // relative
 constexpr int coarsening = 4;
-constexpr int most_angles = 60;
+constexpr int most_angles = 100, most_failures = 12;
 
 // log(Q*/target) as a function of the angle, with the solution last found.
 class Excess {
@@ -27,20 +24,19 @@ class Excess {
         options_(options),
         start_(start) {}
 
-  double operator()(double angle) {
+  /// Nothing if the solve fails, as last().end says.
+  std::optional<double> operator()(double angle) {
     constexpr double rate_of_rest = 1e-12;  // far below every other
     section_.angle = angle;
     // A plug does not form again from a faster flow: where the last solution leads nowhere, rest
     // does.
-    const flow::ShearStart<2> before{std::move(last_.velocity)};
-    const bool has_before = before.velocity.size() > 0;
-    if (has_before) last_ = solve(section_, space_, options_, &before);
+    const bool has_before = before_.velocity.size() > 0;
+    if (has_before) last_ = solve(section_, space_, options_, &before_);
     if (!has_before || !solve::is_success(last_.end))
       last_ = start_ == Start::nested ? solve_nested(section_, mesh_, space_, options_)
                                       : solve(section_, space_, options_);
-    if (!solve::is_success(last_.end))
-      throw std::runtime_error(solve::name_of(last_.end) + " at an angle of " +
-                               std::to_string(angle) + ": " + solve::advice_for(last_.end));
+    if (!solve::is_success(last_.end)) return std::nullopt;
+    before_.velocity = last_.velocity;
     return std::log(std::max(flow_rate(last_, space_), rate_of_rest) / target_);
   }
   const SectionSolution& last() const { return last_; }
@@ -52,67 +48,117 @@ class Excess {
   flow::CrossSection<2>& space_;
   const flow::ShearOptions& options_;
   Start start_;
+  flow::ShearStart<2> before_;
   SectionSolution last_;
 };
 
-double smallest_angle(const Section& section) {
-  return std::atan(section.law.mu_s);
+// Angles with too small and too large a flow rate, and log(Q*/target) there where it is known.
+struct Bracket {
+  double low, high;
+  std::optional<double> at_low = {}, at_high = {};
+
+  double width() const { return high - low; }
+  bool holds(double angle) const { return angle > low && angle < high; }
+  double middle() const { return 0.5 * (low + high); }
+};
+
+Bracket limits(const Section& section, const flow::ShearOptions& options) {
+  constexpr double smallest_angle = 1e-3;
+  const double yield = std::atan(section.law.mu_s);
+  return {options.method == flow::Method::newton ? std::min(smallest_angle, yield) : yield,
+          std::atan(section.law.mu_2())};
 }
 
-double largest_angle(const Section& section) {
-  return std::atan(section.law.mu_2());
+// Relative, of the flow rate: 5e-9, or what the solves leave in doubt.
+double rate_tolerance(const flow::ShearOptions& options) {
+  return std::max(5e-9, options.method == flow::Method::newton
+                            ? 10 * options.newton.tolerance
+                            : 0.5 * options.interior_point.tolerance);
 }
 
-// Brackets the angle from below, then Brent's method.
-void search_by_bracket(Excess& excess, const Section& section) {
-  // Flow starts above arctan μs, later than that because of the side walls.
-  double lower = smallest_angle(section), upper = lower + 0.02;
-  while (excess(upper) < 0) {
-    lower = upper;
-    upper += 0.02;
-    if (upper > largest_angle(section))
-      throw std::runtime_error("no angle below arctan mu_2 reaches this flow rate");
+// Why the bracket closed without an angle in it.
+FlowRateError nothing_in(const Bracket& bracket, double target) {
+  const auto rate = [&](const std::optional<double>& value) {
+    return io::rounded(target * std::exp(value.value_or(0)), 6);
+  };
+  const std::string at = " at an angle of " + io::rounded(bracket.high, 8);
+  if (!bracket.at_high)
+    return {solve::End::no_steady_state,
+            "no angle below the limit of existence carries this flow rate, the largest found is " +
+                rate(bracket.at_low) + at + "; lower --flow-rate"};
+  if (!bracket.at_low)
+    return {solve::End::stagnated, "the creep of the regularised law alone carries " +
+                                       rate(bracket.at_high) + at + "; try a smaller --lambda-r"};
+  return {solve::End::stagnated, "the flow rate jumps from " + rate(bracket.at_low) + " to " +
+                                     rate(bracket.at_high) + at + "; try a smaller --tolerance"};
+}
+
+// Secants from `angle` and d log Q*/dα there (0: not known), kept inside the bracket.
+void search(Excess& excess, Bracket bracket, double angle, double slope, double target,
+            double tolerance) {
+  constexpr double narrowest = 1e-13, narrowest_at_limit = 1e-6;
+  const double whole = bracket.width();
+  double last_angle = 0, last_value = 0, gain_before = 2;  // none yet
+  int failures = 0;
+  for (int i = 0; i < most_angles; ++i) {
+    const auto value = excess(angle);
+    if (!value && excess.last().end != solve::End::no_steady_state) {
+      // Somewhere else between: the fractional parts of multiples of the golden ratio.
+      if (++failures == most_failures) break;
+      angle = bracket.low + bracket.width() * std::fmod(0.618034 * failures, 1);
+      continue;
+    }
+    if (value && std::abs(*value) <= tolerance) return;
+    const bool is_low = value && *value < 0;
+    (is_low ? bracket.low : bracket.high) = angle;
+    (is_low ? bracket.at_low : bracket.at_high) = value;
+    const bool has_limits = bracket.at_low && bracket.at_high;
+    if (bracket.width() < (has_limits ? narrowest : narrowest_at_limit * whole)) {
+      if (has_limits && std::abs(value.value_or(1)) <= 100 * tolerance) return;
+      throw nothing_in(bracket, target);
+    }
+    if (!value) {
+      angle = bracket.middle();
+      continue;
+    }
+    if (last_angle > 0) slope = (*value - last_value) / (angle - last_angle);
+    const double next = angle - *value / slope;
+    const double gain = last_angle > 0 ? std::abs(*value / last_value) : 1;
+    const bool gains = gain * gain_before < 0.5 || last_angle == 0;
+    last_angle = angle;
+    last_value = *value;
+    gain_before = gain;
+    angle = gains && bracket.holds(next) ? next : bracket.middle();
   }
-  struct Callback {
-    Excess& excess;
-    double value = 1;
-    std::exception_ptr error;
-  } callback{excess, 1, nullptr};
-  gsl_function f{[](double angle, void* data) {
-                   auto* self = static_cast<Callback*>(data);
-                   try {
-                     return self->value = self->excess(angle);
-                   } catch (...) {  // must not cross GSL's frames
-                     self->error = std::current_exception();
-                     return std::nan("");
-                   }
-                 },
-                 &callback};
-  gsl_error_handler_t* const previous = gsl_set_error_handler_off();
-  gsl_root_fsolver* solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
-  int status = gsl_root_fsolver_set(solver, &f, lower, upper);
-  for (int i = 0; i < most_angles && status == GSL_SUCCESS; ++i) {
-    status = gsl_root_fsolver_iterate(solver);
-    if (std::abs(callback.value) < rate_tolerance) break;
-  }
-  gsl_root_fsolver_free(solver);
-  gsl_set_error_handler(previous);
-  if (callback.error) std::rethrow_exception(callback.error);
-  if (std::abs(callback.value) >= rate_tolerance)
-    throw std::runtime_error("no angle was found with this flow rate");
+  const solve::End end = failures > 0 ? excess.last().end : solve::End::stagnated;
+  throw FlowRateError(solve::is_success(end) ? solve::End::stagnated : end,
+                      "no angle was found with this flow rate, the last tried was " +
+                          io::rounded(angle, 8) + "; " + solve::advice_for(solve::End::stagnated));
 }
 
-// Secants from an angle near the root and d log Q*/dα there.
-void search_by_secants(Excess& excess, const Section& section, double angle, double slope) {
-  double value = excess(angle);
-  for (int i = 0; std::abs(value) >= rate_tolerance; ++i) {
-    if (i == most_angles) throw std::runtime_error("no angle was found with this flow rate");
-    const double next =
-        std::clamp(angle - value / slope, smallest_angle(section), largest_angle(section));
-    const double value_next = excess(next);
-    if (next != angle && value_next != value) slope = (value_next - value) / (next - angle);
-    angle = next;
-    value = value_next;
+// An angle near the root, and the slope there.
+struct Guess {
+  double angle = 0, slope = 0;
+};
+
+// From a coarser mesh, if there is one and it finds its way.
+std::optional<Guess> coarse_guess(double target, const Section& section, const SectionMesh& mesh,
+                                  const flow::ShearOptions& options, Start start) {
+  SectionMesh coarse = mesh;
+  coarse.across /= coarsening;
+  coarse.up /= coarsening;
+  if (std::min(coarse.across, coarse.up) < CoarserMesh::fewest_elements) return std::nullopt;
+  auto space = space_of(section, coarse);
+  try {
+    const auto found = solve_for_flow_rate(target, section, coarse, space, options, start);
+    const Bracket all = limits(section, options);
+    const double angle = found.section.angle;
+    const double difference = std::min(1e-4, 0.1 * (angle - all.low));
+    Excess excess(target, section, coarse, space, options, start);
+    const auto below = excess(angle - difference);
+    return Guess{angle, below ? -*below / difference : 0};
+  } catch (const FlowRateError&) {
+    return std::nullopt;
   }
 }
 
@@ -122,20 +168,12 @@ SectionSolution solve_for_flow_rate(double target, const Section& section, const
                                     flow::CrossSection<2>& space, const flow::ShearOptions& options,
                                     Start start) {
   Excess excess(target, section, mesh, space, options, start);
-  SectionMesh coarse = mesh;
-  coarse.across /= coarsening;
-  coarse.up /= coarsening;
-  if (std::min(coarse.across, coarse.up) < CoarserMesh::fewest_elements) {
-    search_by_bracket(excess, section);
-  } else {
-    constexpr double difference = 1e-4;  // of the angle, for the slope
-    auto coarse_space = space_of(section, coarse);
-    const auto guess = solve_for_flow_rate(target, section, coarse, coarse_space, options, start);
-    Excess coarse_excess(target, section, coarse, coarse_space, options, start);
-    const double angle = guess.section.angle;
-    const double slope = coarse_excess(angle + difference) / difference;
-    search_by_secants(excess, section, angle, slope);
-  }
+  const Bracket all = limits(section, options);
+  // Flow starts above arctan μs, later than that because of the side walls.
+  const double yield = std::atan(section.law.mu_s);
+  const Guess guess = coarse_guess(target, section, mesh, options, start)
+                          .value_or(Guess{yield + 0.1 * (all.high - yield)});
+  search(excess, all, guess.angle, guess.slope, target, rate_tolerance(options));
   return excess.last();
 }
 
