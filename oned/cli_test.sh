@@ -153,6 +153,17 @@ check is_at_rest chute "$chute" --pressure 40 --method interior-point
 run "$chute" --max-iterations 1 --no-continuation
 check expect_code 1
 check expect_text stderr stagnated
+# What is left then is of one problem, and no result.
+run "$chute" --tangent frozen --elements 10 --max-iterations 60
+check expect_code 1
+check expect_text stdout "the last state is of lambda_r = 0.01"
+check expect_text run/results/chute/summary.json '"results": {}' '"lambda_r": 0.01,' \
+  '"status": "stagnated"'
+check_fails expect_text run/results/chute/summary.json '"results": {"'
+# A loose tolerance is one of the answer, or refused.
+check refuses --tolerance "'0.01'" "1e-16 ... 0.001" -- "$chute" --tolerance 0.01
+check succeeds chute "$chute" --tolerance 1e-3 --elements 40 --lambda-r 1e-8
+check expect_text stdout "largest velocity 1.23"
 for tangent in wrong-sign frozen; do
   run "$chute" --check-jacobian --tangent $tangent --elements 5
   check expect_code 1

@@ -169,7 +169,8 @@ HeapOptions heap_options(const ProgramOptions& options) {
   all.start = options.start == "rest"     ? Start::rest
               : options.start == "nested" ? Start::nested
                                           : Start::section;
-  if (options.method.tolerance > 0) all.newton.tolerance = options.method.tolerance;
+  if (options.method.tolerance > 0)
+    all.newton.tolerance = all.newton.distance = options.method.tolerance;
   if (options.method.max_iterations > 0) all.newton.max_iterations = options.method.max_iterations;
   return all;
 }

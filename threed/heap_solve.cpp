@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "common/flow/extrusion.hpp"
 #include "common/solve/stopwatch.hpp"
@@ -115,6 +116,7 @@ std::vector<Stage> stages(const Heap& heap, const HeapMesh& mesh, const HeapOpti
     stage.mesh = *coarse;
     stage.heap.lambda_r = twod::CoarserMesh::lambda_r_for(stage.heap.lambda_r);
     stage.newton.tolerance = std::max(twod::CoarserMesh::tolerance, options.newton.tolerance);
+    stage.newton.distance = std::numeric_limits<double>::infinity();
     all.push_back(stage);
   }
   std::ranges::reverse(all);
@@ -127,6 +129,7 @@ flow::ShearOptions section_options(const Heap& heap, const HeapOptions& options)
   flow::ShearOptions section = twod::newton_options(heap.lambda_r);
   section.regularisation = heap.regularisation;
   section.newton.tolerance = options.newton.tolerance;
+  section.newton.distance = options.newton.distance;
   return section;
 }
 
@@ -150,6 +153,7 @@ HeapSolution solve(const Heap& heap, const HeapMesh& mesh, const HeapOptions& op
       newton =
           solve_on(*flow, state, here, has_coarser ? solution.flow.get() : nullptr, solution.state);
     }
+    newton.lambda_r = flow->flow().rheology().lambda_r;
     solution.flow = std::move(flow);
     solution.state = std::move(state);
     solution.meshes.push_back(cost_of(*solution.flow, newton, watch_of_mesh.seconds()));

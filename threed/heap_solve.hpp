@@ -11,10 +11,11 @@ namespace talus::threed {
 /// (the coarsest at rest, an open outlet from a developed one); or from the extruded cross-section.
 enum class Start { rest, nested, section };
 
-/// The residual is of 1e-14, about round-off.
+/// The residual is of 1e-14, about round-off, the velocity as good as 1e-10.
 struct HeapOptions {
   Start start = Start::nested;
-  solve::NewtonOptions newton{.tolerance = 1e-14, .line_search = solve::LineSearch::residual_norm};
+  solve::NewtonOptions newton{
+      .tolerance = 1e-14, .distance = 1e-10, .line_search = solve::LineSearch::residual_norm};
   /// Carry a stress beside the velocity, from mesh to mesh too; else Newton's own tangent.
   bool carry_stress = true;
 };

@@ -69,9 +69,9 @@ Bracket limits(const Section& section, const flow::ShearOptions& options) {
           std::atan(section.law.mu_2())};
 }
 
-// Relative, of the flow rate: 5e-9, or what the solves leave in doubt.
+// Relative, of the flow rate: 1e-10, or what the solves leave in doubt.
 double rate_tolerance(const flow::ShearOptions& options) {
-  return std::max(5e-9, options.method == flow::Method::newton
+  return std::max(1e-10, options.method == flow::Method::newton
                             ? 10 * options.newton.tolerance
                             : 0.5 * options.interior_point.tolerance);
 }

@@ -1,6 +1,7 @@
 #include "twod/section_nested.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "common/flow/geometry.hpp"
 #include "common/solve/stopwatch.hpp"
@@ -19,6 +20,7 @@ std::optional<flow::ShearStart<2>> start_from_coarser(const Section& section,
   auto coarse_space = space_of(section, *coarse);
   flow::ShearOptions rough = options;
   rough.newton.tolerance = std::max(CoarserMesh::tolerance, options.newton.tolerance);
+  rough.newton.distance = std::numeric_limits<double>::infinity();
   rough.lambda_r = CoarserMesh::lambda_r_for(options.lambda_r);
   SectionSolution solution = solve_nested(section, *coarse, coarse_space, rough);
   meshes = std::move(solution.meshes);

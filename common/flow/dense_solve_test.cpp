@@ -116,7 +116,9 @@ BOOST_AUTO_TEST_CASE(lagged_factors_find_the_same_flow_with_fewer_factorisations
   const auto lagged_newton = solve::newton(lagged.flow(), found, newton_options);
   BOOST_REQUIRE(is_success(direct_newton.end));
   BOOST_REQUIRE(is_success(lagged_newton.end));
-  BOOST_TEST(direct.flow().factorisations() == direct_newton.iterations());
+  // One a step, and perhaps one for the direction that shows that no step is left.
+  const int tried = direct.flow().factorisations() - direct_newton.iterations();
+  BOOST_TEST((tried == 0 || tried == 1));
   BOOST_TEST(direct.flow().krylov_iterations() == 0);
   BOOST_TEST(lagged.flow().factorisations() <= direct.flow().factorisations() / 2);
   BOOST_TEST(lagged.flow().krylov_iterations() > 0);

@@ -6,6 +6,7 @@
 
 #include "common/flow/load_capacity.hpp"
 #include "common/flow/second_order_cone.hpp"
+#include "common/solve/remaining_distance.hpp"
 
 namespace talus::flow {
 namespace {
@@ -125,6 +126,7 @@ InteriorPointSummary InteriorPoint<Dim>::solve(ConeState<Dim>& state,
   InteriorPointSummary summary;
   ConeState<Dim> good = state;
   int since_good = 0;
+  solve::RemainingDistance remaining;
   bool was_in_equilibrium = false;
   const auto ended = [&](solve::End end) {
     summary.end = end;
@@ -140,6 +142,7 @@ InteriorPointSummary InteriorPoint<Dim>::solve(ConeState<Dim>& state,
   for (;;) {
     ConeResidual<Dim> r = this->residual(state);
     InteriorPointIteration now = measure(state, r);
+    if (summary.history.empty()) summary.last_good = now;  // of the state returned, good or not
     summary.history.push_back(now);
     const bool in_equilibrium = now.equilibrium <= equilibrium_tolerance;
     const bool is_finite = std::isfinite(now.relative_gap) && std::isfinite(now.equilibrium);
@@ -166,12 +169,18 @@ InteriorPointSummary InteriorPoint<Dim>::solve(ConeState<Dim>& state,
     if (is_better && load_.dot(state.velocity.value()) > 0 &&
         recession<Dim>(space_, law_, pressure_, load_, state.velocity) < 0)
       return ended(solve::End::no_steady_state);
-    if (is_better && in_equilibrium && now.relative_gap <= options.tolerance)
+    // A gap bounds an energy, which goes with the square of the velocity.
+    const double near =
+        std::sqrt(options.tolerance) * state.velocity.value().template lpNorm<Eigen::Infinity>();
+    if (is_better && in_equilibrium && now.relative_gap <= options.tolerance &&
+        remaining.bound() <= near)
       return ended(solve::End::converged);
     if (summary.factorisations() >= options.max_factorisations)
       return gave_up(solve::End::stagnated);
+    const Eigen::VectorXd before = state.velocity.value();
     if (!advance(state, r, summary.history.back(), options))
       return gave_up(solve::End::linear_solver_failed);
+    remaining.stepped((state.velocity.value() - before).template lpNorm<Eigen::Infinity>(), 1);
   }
 }
 

@@ -24,7 +24,7 @@ namespace talus::flow {
 enum class CentralPath { natural, uniform };
 
 struct InteriorPointOptions {
-  double tolerance = 1e-10;      ///< on the duality gap and on equilibrium, both relative
+  double tolerance = 1e-10;      ///< on the duality gap, relative; the velocity's is its root
   int max_factorisations = 100;  ///< one factorisation an iteration
   double step_to_boundary = 0.95;
   CentralPath path = CentralPath::natural;

@@ -27,6 +27,7 @@ void solve_by_newton(CrossSection<Dim>& space, const ShearLoad<Dim>& load,
   else
     solution.newton.newton =
         solve::newton(problem, solution.velocity, options.newton, options.observe);
+  solution.newton.lambda_r = problem.rheology().lambda_r;
   solution.end = solution.newton.newton.end;
   std::vector<typename CrossSection<Dim>::Vector> gradients;
   space.gradients(solution.velocity, gradients);

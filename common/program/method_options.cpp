@@ -40,8 +40,11 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
       "Derivative of the viscosity in the tangent: in primal-dual form, plain, dropped, or "
       "broken",
       {"primal-dual", "full", "frozen", "wrong-sign"});
-  io::add_real(app, "--tolerance", options.tolerance,
-               "Relative residual (default 1e-12) or duality gap (default 1e-10)", 1e-16, 0.1)
+  io::add_real(
+      app, "--tolerance", options.tolerance,
+      "Of Newton's answer: relative residual and distance to the solution (default 1e-12); "
+      "or relative duality gap, the square of a distance (default 1e-10)",
+      1e-16, 1e-3)
       ->default_str("");
   io::add_integer(app, "--max-iterations", options.max_iterations,
                   "Of Newton (default 200) or of the interior point (default 100)", 1, 100000)
@@ -65,7 +68,8 @@ flow::ShearOptions shear_options(const MethodOptions& options, flow::ShearOption
                         : options.tangent == "frozen"    ? flow::TangentTerm::frozen
                                                          : flow::TangentTerm::wrong_sign;
   if (options.tolerance > 0)
-    result.newton.tolerance = result.interior_point.tolerance = options.tolerance;
+    result.newton.tolerance = result.newton.distance = result.interior_point.tolerance =
+        options.tolerance;
   if (options.max_iterations > 0)
     result.newton.max_iterations = result.interior_point.max_factorisations =
         options.max_iterations;

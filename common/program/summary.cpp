@@ -16,6 +16,7 @@ json newton_as_json(const solve::ContinuationSummary& newton) {
                     {"end", solve::name_of(step.end)},
                     {"iterations", step.iterations}});
   return {{"iterations", newton.total_iterations()},
+          {"lambda_r", newton.lambda_r},
           {"final_residual", newton.newton.final_residual()},
           {"round_off_floor", newton.newton.round_off_floor()},
           {"continuation", path}};
@@ -112,7 +113,10 @@ std::string outcome_line(const flow::ShearSolution& solution) {
   const solve::NewtonSummary& newton = solution.newton.newton;
   return "newton: " + count + " iterations, residual " + io::rounded(newton.final_residual(), 2) +
          ", round-off floor " + io::rounded(newton.round_off_floor(), 2) +
-         (solution.newton.path.empty() ? "" : ", by continuation in lambda_r");
+         (solution.newton.path.empty() ? "" : ", by continuation in lambda_r") +
+         (solve::is_success(solution.end)
+              ? ""
+              : "; the last state is of lambda_r = " + io::rounded(solution.newton.lambda_r, 3));
 }
 
 }  // namespace talus::program

@@ -66,6 +66,7 @@ BOOST_AUTO_TEST_CASE(a_failed_direct_solve_falls_back_and_reports_its_path) {
   BOOST_CHECK(summary.newton.end == End::converged);
   BOOST_TEST(state.value()[0] == problem.solution(), tolerance(1e-10));
   BOOST_TEST(problem.rheology().lambda_r == target);
+  BOOST_TEST(summary.lambda_r == target);
 
   BOOST_TEST(summary.path.front().lambda_r == target);
   BOOST_TEST(!is_success(summary.path.front().end));
@@ -113,8 +114,11 @@ BOOST_AUTO_TEST_CASE(a_path_that_breaks_ends_honestly_at_the_last_state_it_reach
       newton_with_continuation(problem, state, full_steps, {.first = 10, .smallest_log_step = 2});
   BOOST_TEST(!is_success(summary.newton.end));
   BOOST_TEST(!is_success(summary.path.back().end));
-  BOOST_TEST(problem.rheology().lambda_r == target);
+  // State, residual and λr are of one problem: that of the last solution.
+  BOOST_TEST(summary.lambda_r == 10);
+  BOOST_TEST(problem.rheology().lambda_r == 10);
   BOOST_TEST(state.value()[0] == RegularisedFriction(10).solution(), tolerance(1e-10));
+  BOOST_TEST(summary.newton.final_residual() == problem.evaluate(state).relative_norm());
 }
 
 BOOST_AUTO_TEST_CASE(running_out_of_solves_is_no_success) {
@@ -125,7 +129,9 @@ BOOST_AUTO_TEST_CASE(running_out_of_solves_is_no_success) {
       newton_with_continuation(problem, state, full_steps, {.first = 10, .max_solves = 1});
   BOOST_TEST(is_success(summary.path.back().end));  // at λr = 10, not at the target
   BOOST_CHECK(summary.newton.end == End::stagnated);
-  BOOST_TEST(problem.rheology().lambda_r == target);
+  BOOST_TEST(summary.lambda_r == 10);
+  BOOST_TEST(problem.rheology().lambda_r == 10);
+  BOOST_TEST(summary.newton.final_residual() == problem.evaluate(state).relative_norm());
 }
 
 BOOST_AUTO_TEST_CASE(nothing_is_tried_above_the_first_lambda_r_and_a_failure_there_ends_it) {
@@ -141,5 +147,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_tried_above_the_first_lambda_r_and_a_failure_the
       newton_with_continuation(problem, state, full_steps, {.first = 1e-3});
   BOOST_TEST(!is_success(at_first.newton.end));
   BOOST_TEST(at_first.path.size() == 2);
-  BOOST_TEST(state.value()[0] == start().value()[0]);
+  BOOST_TEST(at_first.lambda_r == 1e-3);  // where Newton left it
+  BOOST_TEST(problem.rheology().lambda_r == 1e-3);
+  BOOST_TEST(at_first.newton.history.size() == at_first.path.back().iterations + 1u);
 }

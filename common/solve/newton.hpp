@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "common/solve/end.hpp"
+#include "common/solve/remaining_distance.hpp"
 
 namespace talus::solve {
 
@@ -28,6 +29,12 @@ struct Residual {
   double relative_round_off() const { return relative(round_off); }
   bool is_round_off() const { return (value.array().abs() <= round_off.array()).all(); }
   bool is_finite() const { return value.allFinite() && magnitude.allFinite(); }
+  /// Largest component of a state or step among the unknowns of the first block, whose equations
+  /// may be stiff and soft at once; those of later blocks (pressures) are multipliers in them,
+  /// whose error the residual itself shows.
+  double leading_size(const Eigen::VectorXd& x) const {
+    return x.head(block_ends.empty() ? x.size() : block_ends.front()).lpNorm<Eigen::Infinity>();
+  }
 
  private:
   double relative(const Eigen::VectorXd& v) const {
@@ -62,6 +69,9 @@ enum class LineSearch { none, energy_slope, residual_norm };
 
 struct NewtonOptions {
   double tolerance = 1e-12;  ///< on Residual::relative_norm()
+  /// Largest distance to the solution that is left, over the largest unknown of the first block;
+  /// infinity: the residual alone is judged, which is enough on the way to another solve.
+  double distance = 1e-12;
   int max_iterations = 200;
   int stall_iterations = 40;  ///< iterations without a smaller residual before giving up
   /// Relative residual at which an iterate is beyond hope; the start may lie there.
@@ -103,14 +113,17 @@ LineSearchResult search_residual_norm(double initial_norm,
                                       const std::function<double(double)>& norm,
                                       double smallest = 1e-4);
 
-/// Solves R(state) = 0 in place. Every state accepted is recorded; on a failure the state is the
-/// last accepted one. `observe` sees each accepted state, the start included. A failure ends as
-/// no_steady_state if the problem can certify it (`exceeds_capacity`).
+/// Solves R(state) = 0 in place. Success means both: the residual is small, and so is the distance
+/// to the solution, by the steps that led here or else by the next one; at the round-off floor,
+/// that steps have come down to rounding too. Every state accepted is recorded; on a failure the
+/// state is the last accepted one. `observe` sees each accepted state, the start included. A
+/// failure ends as no_steady_state if the problem can certify it (`exceeds_capacity`).
 template <NewtonProblem P>
 NewtonSummary newton(P& problem, typename P::State& state, const NewtonOptions& options = {},
                      const std::function<void(const typename P::State&)>& observe = {}) {
   NewtonSummary summary;
   typename P::State direction;
+  RemainingDistance remaining;
   double best = std::numeric_limits<double>::infinity();
   int since_best = 0;
   const Residual* residual = &problem.evaluate(state);
@@ -124,8 +137,14 @@ NewtonSummary newton(P& problem, typename P::State& state, const NewtonOptions& 
       return summary;
     };
     if (!residual->is_finite()) return ended(End::non_finite);
-    if (residual->relative_norm() <= options.tolerance) return ended(End::converged);
-    if (residual->is_round_off()) return ended(End::at_round_off_floor);
+    const bool is_below_tolerance = residual->relative_norm() <= options.tolerance;
+    const bool is_small = is_below_tolerance || residual->is_round_off();
+    const End success = is_below_tolerance ? End::converged : End::at_round_off_floor;
+    constexpr double safety = 0.1;  // an estimate of the distance is not the distance
+    const double near = std::isinf(options.distance)
+                            ? options.distance
+                            : safety * options.distance * residual->leading_size(state.value());
+    if (is_small && (remaining.bound() <= near || residual->value.isZero(0))) return ended(success);
     since_best = residual->relative_norm() < best ? 0 : since_best + 1;
     best = std::min(best, residual->relative_norm());
     const bool is_hopeless =
@@ -135,6 +154,13 @@ NewtonSummary newton(P& problem, typename P::State& state, const NewtonOptions& 
       return ended(End::stagnated);
 
     if (!problem.linear_solve(-residual->value, direction)) return ended(End::linear_solver_failed);
+    const double size = residual->leading_size(direction.value());
+    if (is_small && remaining.bound_before(size) <= near) return ended(success);
+    // Rounding is all that is left of the steps: a success as long as it is little.
+    constexpr double little = 1e-6;
+    const bool is_trusted = size <= little * residual->leading_size(state.value());
+    if (residual->is_round_off() && remaining.has_stopped_contracting(size))
+      return ended(is_trusted ? End::at_round_off_floor : End::stagnated);
     typename P::State trial = state;
     const auto slope_at = [&](double step) {
       trial = state.moved(step, direction);
@@ -142,6 +168,7 @@ NewtonSummary newton(P& problem, typename P::State& state, const NewtonOptions& 
       return residual->value.dot(direction.value());
     };
     LineSearchResult found{1, 1};
+    bool is_lost = residual->relative_norm() <= residual->relative_round_off();
     if (options.line_search == LineSearch::none) {
       slope_at(1);
     } else if (options.line_search == LineSearch::residual_norm) {
@@ -150,25 +177,20 @@ NewtonSummary newton(P& problem, typename P::State& state, const NewtonOptions& 
         slope_at(step);
         return residual->is_round_off() ? 0 : residual->value.norm();
       });
-      if (found.step == 0) {
-        problem.evaluate(state);
-        return ended(residual->relative_norm() <= residual->relative_round_off()
-                         ? End::at_round_off_floor
-                         : End::line_search_failed);
-      }
     } else {
       const double initial_slope = residual->value.dot(direction.value());
+      const double rounding = residual->round_off.dot(direction.value().cwiseAbs());
+      is_lost = is_lost && std::abs(initial_slope) <= rounding;
       found = search_energy_slope(initial_slope, slope_at);
-      if (found.step == 0) {
-        // At the floor a slope may be smaller than its own rounding: nothing left to search for.
-        problem.evaluate(state);
-        const bool lost =
-            std::abs(initial_slope) <= residual->round_off.dot(direction.value().cwiseAbs());
-        return ended(lost && residual->relative_norm() <= residual->relative_round_off()
-                         ? End::at_round_off_floor
-                         : End::line_search_failed);
-      }
     }
+    if (found.step == 0 && is_lost && !remaining.has_stopped_contracting(size)) {
+      slope_at(1);  // rounding hides what the search looks at, but not yet the steps
+      found = {1, found.evaluations + 1};
+    } else if (found.step == 0) {
+      problem.evaluate(state);
+      return ended(is_lost && is_trusted ? End::at_round_off_floor : End::line_search_failed);
+    }
+    remaining.stepped(size, found.step);
     summary.history.back().step = found.step;
     summary.history.back().evaluations = found.evaluations;
     state = std::move(trial);

@@ -50,6 +50,20 @@ ConvexProblem logarithm() {
           .load = one(0)};
 }
 
+// A residual whose rounding is of this size, of the magnitude, and is known to be.
+struct Noisy : ConvexProblem {
+  Noisy(ConvexProblem exact, double size) : ConvexProblem(std::move(exact)), noise(size) {
+    unit_round_off = size;
+  }
+  double noise;
+  const Residual& evaluate(const State& state) {
+    ConvexProblem::evaluate(state);
+    for (Eigen::Index i = 0; i < w.size(); ++i)
+      residual.value[i] += 0.5 * noise * residual.magnitude[i] * std::sin(1e15 * w[i]);
+    return residual;
+  }
+};
+
 constexpr NewtonOptions full_steps{.line_search = LineSearch::none};
 constexpr NewtonOptions by_residual{.line_search = LineSearch::residual_norm};
 
@@ -94,15 +108,63 @@ BOOST_AUTO_TEST_CASE(converged_means_the_solution) {
 }
 
 BOOST_AUTO_TEST_CASE(the_floor_ends_the_solve_where_rounding_hides_the_residual) {
-  ConvexProblem problem = quartic(2);
-  problem.unit_round_off = 1e-6;
+  Noisy problem{quartic(2), 1e-8};
   for (const NewtonOptions& options : {NewtonOptions{}, by_residual}) {
     CompensatedVector state = at(1.5);
     const NewtonSummary summary = newton(problem, state, options);
     BOOST_CHECK(summary.end == End::at_round_off_floor);
     BOOST_TEST(summary.final_residual() <= summary.round_off_floor());
     BOOST_TEST(summary.final_residual() > 1e-12);  // else the tolerance would have ended it
+    BOOST_TEST(state.value()[0] == std::cbrt(0.5), tolerance(1e-7));
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_floor_that_hides_the_answer_too_is_no_success) {
+  Noisy problem{quartic(2), 1e-3};
+  for (const NewtonOptions& options : {NewtonOptions{}, by_residual}) {
+    CompensatedVector state = at(1.5);
+    BOOST_TEST(!is_success(newton(problem, state, options).end));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_small_residual_is_no_success_while_the_steps_are_large) {
+  // The second force is 1e-12 of the first long before its unknown is found: two thirds of the way
+  // a step. Where the residual alone is judged that passes for a solution.
+  ConvexProblem problem = quartic(2);
+  problem.load = Eigen::Vector2d(2, 2e-15);
+  problem.coupling = Eigen::Matrix2d::Zero();
+  for (const double distance : {1e-12, 1e-6, 1e-3, std::numeric_limits<double>::infinity()}) {
+    for (LineSearch search : {LineSearch::none, LineSearch::residual_norm}) {
+      CompensatedVector state = at(Eigen::Vector2d(1.5, 1));
+      BOOST_TEST(
+          is_success(newton(problem, state, {.distance = distance, .line_search = search}).end));
+      const double error = std::abs(state.value()[1] - std::cbrt(5e-16)) / std::cbrt(0.5);
+      if (std::isfinite(distance))
+        BOOST_TEST(error <= distance);
+      else
+        BOOST_TEST(error > 1e-5);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_loose_tolerance_is_kept_by_the_answer) {
+  for (const double loose : {1e-1, 1e-2, 1e-3, 1e-5}) {
+    ConvexProblem problem = arctangent();
+    CompensatedVector state = at(30);
+    BOOST_TEST(is_success(newton(problem, state, {.tolerance = loose, .distance = loose}).end));
+    BOOST_TEST(state.value()[0] == std::tan(0.5), tolerance(loose));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_solution_to_set_out_from_is_left_as_it_is) {
+  ConvexProblem problem = quartic(2);
+  CompensatedVector state = at(1.5);
+  BOOST_REQUIRE(is_success(newton(problem, state).end));
+  const Eigen::VectorXd before = state.value();
+  const NewtonSummary again = newton(problem, state);
+  BOOST_TEST(is_success(again.end));
+  BOOST_TEST(again.iterations() == 0);
+  BOOST_TEST((state.value() == before));
 }
 
 BOOST_AUTO_TEST_CASE(a_slope_below_its_own_rounding_is_the_floor_too) {
@@ -120,8 +182,10 @@ BOOST_AUTO_TEST_CASE(a_slope_below_its_own_rounding_is_the_floor_too) {
                        .load = Eigen::Vector2d(1, 1),
                        .tangent_factor = -1},
                       {}};
-  CompensatedVector state(2);
-  BOOST_CHECK(newton(problem, state).end == End::at_round_off_floor);
+  CompensatedVector near = at(Eigen::Vector2d(1 + 1e-8, 1 + 1e-8));
+  BOOST_CHECK(newton(problem, near).end == End::at_round_off_floor);
+  CompensatedVector far(2);  // nothing is known of the answer there
+  BOOST_CHECK(newton(problem, far).end == End::line_search_failed);
 }
 
 BOOST_AUTO_TEST_CASE(the_iteration_limit_ends_in_stagnation) {
