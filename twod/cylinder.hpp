@@ -92,9 +92,10 @@ CylinderPoint point_at(const CylinderFlow& cylinder, const CylinderFlow::State& 
 enum class Continuation { arclength, natural, primal_dual };
 std::string name_of(Continuation continuation);
 
-/// Sees every accepted point of a path, of λr or of the loading; false stops it.
-using CylinderObserver =
-    std::function<bool(const CylinderFlow::State&, const CylinderMeasures&, solve::PathPoint&)>;
+/// Sees every accepted point of a path, of λr or of the loading, as where it goes on from; false
+/// stops it.
+using CylinderObserver = std::function<bool(const solve::PathStart<CylinderFlow::State>&,
+                                            const CylinderMeasures&, solve::PathPoint&)>;
 
 /// A path of solutions; `end` tells whether it reached its target.
 using CylinderPath = solve::Path<CylinderFlow::State>;

@@ -120,7 +120,7 @@ int run(Options& options) {
   // 3. What came out.
   nlohmann::json summary = {
       {"scene", "cylinder"}, {"model", "velocity-pressure"}, {"parameters", sweep.parameters()}};
-  summary["status"] = reached_all ? "converged" : solve::name_of(sweep.end());
+  summary["status"] = sweep.status();
   summary["elements"] = sweep.cylinder().space().element_count();
   summary["condensed_unknowns"] = sweep.cylinder().flow().system().unknowns();
   summary["factorisations"] = sweep.factorisations();
@@ -158,7 +158,7 @@ int run(Options& options) {
             << io::rounded(watch.seconds(), 3) << " s; results in " << folder.path().string() << ":"
             << written << '\n';
   if (reached_all) return 0;
-  std::cerr << "cylinder: " << solve::name_of(sweep.end())
+  std::cerr << "cylinder: " << sweep.status()
             << " at F = " << io::rounded(sweep.cylinder().flow().load_factor(), 8)
             << ", λr = " << io::rounded(sweep.cylinder().flow().rheology().lambda_r, 4) << " after "
             << sweep.folds() << (sweep.folds() == 1 ? " fold" : " folds")

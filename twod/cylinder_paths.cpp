@@ -1,4 +1,6 @@
 // Ways to a solution of the cylinder: starts, and paths in λr and in the loading.
+#include <limits>
+
 #include "common/solve/natural_continuation.hpp"
 #include "twod/cylinder.hpp"
 
@@ -23,8 +25,8 @@ CylinderPath follow(CylinderFlow& cylinder, Problem problem, solve::PathStart<St
     if (path.end == solve::PathEnd::out_of_points) path.end = solve::PathEnd::target_reached;
     return path;
   }
-  const solve::PathObserver<State> observer = [&](const State& state, solve::PathPoint& point) {
-    return !observe || observe(state, measure(cylinder, state), point);
+  const solve::PathObserver<State> observer = [&](const auto& at, solve::PathPoint& point) {
+    return !observe || observe(at, measure(cylinder, at.state), point);
   };
   if (continuation == Continuation::arclength)
     return solve::follow_arclength(problem, std::move(start), options, observer);
@@ -38,19 +40,22 @@ CylinderPath follow(CylinderFlow& cylinder, Problem problem, solve::PathStart<St
   far.many_corrections = 14;
   far.max_corrections = 24;
   far.hopeless = 0.5;
-  cylinder.flow().carry_stress();
+  if (!cylinder.flow().carries_stress()) cylinder.flow().carry_stress();  // a path resumed does
   auto path =
       solve::follow_natural(problem, std::move(start), solve::Predictor::constant, far, observer);
   cylinder.flow().stop_carrying_stress();
   return path;
 }
 
+// By default to a start only, judged by its residual.
 solve::NewtonSummary newton_at(CylinderFlow& cylinder, double loading, double lambda_r,
-                               State& state, double tolerance) {
+                               State& state, double tolerance,
+                               double distance = std::numeric_limits<double>::infinity()) {
   cylinder.flow().set_load_factor(loading);
   cylinder.flow().set_lambda_r(lambda_r);
   return solve::newton(cylinder.flow(), state,
                        {.tolerance = tolerance,
+                        .distance = distance,
                         .max_iterations = 100,
                         .line_search = solve::LineSearch::residual_norm});
 }
@@ -181,7 +186,7 @@ solve::NewtonSummary solve_creep(CylinderFlow& cylinder, double loading, State& 
   if (!solve::is_success(smooth.end)) return smooth;
   for (Eigen::Index i = 0; i < cylinder.space().velocity_count(); ++i)
     state.set(i, std::min(1.0, lambda_r / smooth_lambda_r) * state.value()[i]);
-  return newton_at(cylinder, loading, lambda_r, state, tolerance);
+  return newton_at(cylinder, loading, lambda_r, state, tolerance, 1e-10);
 }
 
 CylinderPath follow_lambda_r(CylinderFlow& cylinder, double loading, solve::PathStart<State> start,

@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(the_paths_lead_where_newton_leads) {
     BOOST_TEST(relative(m.mean_velocity, direct.mean_velocity) < 1e-9);
   }
   CylinderFlow cylinder(scene(16, lambda_r));
-  const auto stop = [](const State&, const CylinderMeasures& m, const solve::PathPoint&) {
+  const auto stop = [](const auto&, const CylinderMeasures& m, const solve::PathPoint&) {
     return m.lambda_r > 0.01;
   };
   const auto path =

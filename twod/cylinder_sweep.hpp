@@ -1,5 +1,6 @@
 // A run of the cylinder: from rest to one loading after the other, with a checkpoint at every
-// accepted point.
+// accepted point. A run that was killed and resumed gives the same numbers, to the last digit, as
+// one that was not.
 #pragma once
 
 #include <string>
@@ -7,6 +8,7 @@
 
 #include "common/io/progress.hpp"
 #include "common/io/result_folder.hpp"
+#include "common/program/checkpoint.hpp"
 #include "twod/cylinder_report.hpp"
 
 namespace talus::twod {
@@ -31,19 +33,20 @@ class CylinderSweep {
   CylinderSweep(const SweepOptions& options, const io::ResultFolder& folder);
 
   /// Removes what an older run left, but for what --resume goes on from. Reaches one loading after
-  /// the other; true if all were. Every loading reached writes its fields
-  /// and sweep.csv. Throws io::UserError if the checkpoint belongs to another run.
+  /// the other; true if all were. Every loading reached writes its fields and sweep.csv. Throws
+  /// io::UserError if the checkpoint is damaged or belongs to another run.
   bool run();
 
   const CylinderFlow& cylinder() const { return cylinder_; }
-  const CylinderFlow::State& state() const { return state_; }
+  const CylinderFlow::State& state() const { return state_; }  ///< of the last loading, if reached
   const nlohmann::json& parameters() const { return parameters_; }
   const std::vector<PathRecord>& records() const { return records_; }  ///< before --resume too
   const std::vector<CylinderMeasures>& reached_loadings() const { return sweep_; }
   const std::vector<io::SeriesEntry>& series() const { return series_; }
-  solve::PathEnd end() const { return end_; }  ///< of the last path
-  /// Of this process, all of them: Newton before and after a path as well.
-  int factorisations() const { return cylinder_.flow().factorisations(); }
+  /// "converged" if all were reached, else how the last path, or Newton after it, ended.
+  const std::string& status() const { return status_; }
+  /// All of them, Newton before and after a path and what went before --resume as well.
+  int factorisations() const { return earlier_factorisations_ + cylinder_.flow().factorisations(); }
   int folds() const;
 
  private:
@@ -56,9 +59,11 @@ class CylinderSweep {
             const solve::PathStart<CylinderFlow::State>& start) const;
   void start_anew() const;
   bool resume();
+  void recall(const program::Checkpoint& checkpoint);
   bool accept(CylinderPath path);
   void write_sweep() const;
-  void finish_loading();
+  bool finish_loading();
+  bool fail(const std::string& status);
 
   const SweepOptions& options_;
   const io::ResultFolder& folder_;
@@ -68,9 +73,11 @@ class CylinderSweep {
   double loading_ = 0;  // of state_
   std::vector<PathRecord> records_;
   bool has_start_ = false;  // the next point accepted is the last record's
+  int path_points_ = 0;     // of the path being followed
+  int earlier_factorisations_ = 0;
   std::vector<CylinderMeasures> sweep_;
   std::vector<io::SeriesEntry> series_;
-  solve::PathEnd end_ = solve::PathEnd::target_reached;
+  std::string status_ = "converged";
   io::Progress progress_;
 };
 

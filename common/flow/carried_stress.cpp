@@ -1,4 +1,7 @@
 // The stress that the primal-dual form of velocity-pressure flow carries beside the state.
+#include <stdexcept>
+#include <string>
+
 #include "common/flow/dense_flow.hpp"
 
 namespace talus::flow {
@@ -18,6 +21,33 @@ void DenseFlow<Dim>::carry_stress(const StressField& stress) {
             carried_[b][q][i][j][lane] =
                 tau(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
       }
+}
+
+template <int Dim>
+std::vector<double> DenseFlow<Dim>::carried_stress() const {
+  std::vector<double> numbers;
+  for (const CarriedStress<Dim>& batch : carried_)
+    for (const PackTensor<Dim>& tau : batch)
+      for (const auto& row : tau)
+        for (const Pack& entry : row)
+          for (std::size_t lane = 0; lane < lanes; ++lane) numbers.push_back(entry[lane]);
+  return numbers;
+}
+
+template <int Dim>
+void DenseFlow<Dim>::carry_stress(std::span<const double> numbers) {
+  const std::size_t all = loads_.size() * Space::points_per_element * Dim * Dim * lanes;
+  if (!numbers.empty() && numbers.size() != all)
+    throw std::invalid_argument("a carried stress of " + std::to_string(numbers.size()) +
+                                " numbers where there are " + std::to_string(all));
+  carries_stress_ = true;
+  carried_.assign(numbers.empty() ? 0 : loads_.size(), {});
+  auto next = numbers.begin();
+  for (CarriedStress<Dim>& batch : carried_)
+    for (PackTensor<Dim>& tau : batch)
+      for (auto& row : tau)
+        for (Pack& entry : row)
+          for (std::size_t lane = 0; lane < lanes; ++lane) entry[lane] = *next++;
 }
 
 template <int Dim>
@@ -53,6 +83,10 @@ void DenseFlow<Dim>::update_carried_stress(const State& step) {
 // The class is instantiated in dense_flow.cpp, which does not see what is defined here.
 template void DenseFlow<2>::carry_stress(const StressField&);
 template void DenseFlow<3>::carry_stress(const StressField&);
+template std::vector<double> DenseFlow<2>::carried_stress() const;
+template std::vector<double> DenseFlow<3>::carried_stress() const;
+template void DenseFlow<2>::carry_stress(std::span<const double>);
+template void DenseFlow<3>::carry_stress(std::span<const double>);
 template void DenseFlow<2>::stop_carrying_stress();
 template void DenseFlow<3>::stop_carrying_stress();
 template void DenseFlow<2>::update_carried_stress(const State&);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include <Eigen/SparseCore>
@@ -77,6 +78,11 @@ class DenseFlow {
   using StressField = std::function<Eigen::Matrix<double, Dim, Dim>(const Point<Dim>&)>;
   void carry_stress(const StressField& stress = {});
   void stop_carrying_stress();
+  bool carries_stress() const { return carries_stress_; }
+  /// The stress carried, number by number: with it a checkpoint goes on as if nothing had been.
+  /// Empty: none yet. To carry one again throws std::invalid_argument if it is of another mesh.
+  std::vector<double> carried_stress() const;
+  void carry_stress(std::span<const double> numbers);
   LinearSolver linear_solver() const { return linear_solver_; }
   void set_linear_solver(LinearSolver solver) { linear_solver_ = solver; }
 

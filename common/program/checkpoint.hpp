@@ -1,9 +1,11 @@
-// The last accepted point of a path on disk, so that an interrupted run can go on.
+// The last accepted point of a path on disk, so that an interrupted run can go on: everything that
+// decides what comes next, to the last bit.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -16,23 +18,16 @@ namespace talus::program {
 struct Checkpoint {
   nlohmann::json notes;  ///< the program's own: its parameters, how far it is
   solve::PathStart<solve::CompensatedVector> start;
+  std::vector<double> carried_stress = {};  ///< DenseFlow::carried_stress(), if it carries one
 };
 
-/// From an accepted point: the path goes on in the direction it had there.
-inline solve::PathStart<solve::CompensatedVector> start_from(const solve::CompensatedVector& state,
-                                                             const solve::PathPoint& point) {
-  return {.state = state,
-          .parameter = point.parameter,
-          .direction = point.parameter_slope < 0 ? -1 : 1,
-          .step = point.step > 0 ? point.step : 0.1,
-          .reference_sign = point.determinant_sign};
-}
-
-/// Written whole or not at all: a line of JSON, then the numbers as they are in memory.
+/// Written whole or not at all: a line with a checksum (FNV-1a, 64 bits) of all that follows, a
+/// line of JSON, then the numbers as they are in memory.
 void write_checkpoint(const io::ResultFolder& folder, const std::string& name,
                       const Checkpoint& checkpoint);
 
-/// Nothing if there is no such file. Throws io::UserError if it cannot be understood.
+/// Nothing if there is no such file. Throws io::UserError, in one line, if a single bit of it is
+/// not as it was written or a number not finite.
 std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& file);
 
 }  // namespace talus::program

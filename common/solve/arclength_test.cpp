@@ -37,8 +37,8 @@ BOOST_AUTO_TEST_CASE(every_point_lies_on_the_path_and_the_observer_s_numbers_are
   SmallProblem problem = circle();
   const auto path = follow_arclength<SmallProblem>(
       problem, {.state = CompensatedVector(constant(1, 1)), .parameter = 0}, {.max_points = 100},
-      [](const CompensatedVector& state, PathPoint& point) {
-        point.observation = {state.value()[0]};
+      [](const auto& at, PathPoint& point) {
+        point.observation = {at.state.value()[0]};
         return true;
       });
   BOOST_CHECK(path.end == PathEnd::out_of_points);
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(the_fold_of_bratu_s_problem_is_found_to_nine_digits) {
         problem,
         {.state = CompensatedVector(VectorXd(constant(19, 0))), .parameter = 3, .step = step},
         {.max_points = 1000, .largest_step = step, .tolerance = 1e-13},
-        [](const CompensatedVector& state, PathPoint&) { return state.value()[9] < 3; });
+        [](const auto& at, PathPoint&) { return at.state.value()[9] < 3; });
     BOOST_CHECK(path.end == PathEnd::stopped);
     const std::vector<double> folds = fold_parameters(path.points);
     BOOST_REQUIRE(folds.size() == 1);
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(a_path_that_is_resumed_is_the_same_path) {
   SmallProblem another = cubic();
   const auto first = follow_arclength<SmallProblem>(
       another, cubic_start(), {.target = 18},
-      [](const CompensatedVector&, PathPoint& point) { return point.parameter_slope > 0; });
+      [](const auto&, PathPoint& point) { return point.parameter_slope > 0; });
   BOOST_CHECK(first.end == PathEnd::stopped);  // between the folds
   const auto rest = follow_arclength(another, first.next, {.target = 18});
   BOOST_CHECK(rest.end == PathEnd::target_reached);
@@ -131,12 +131,11 @@ BOOST_AUTO_TEST_CASE(orientation_by_a_wrong_determinant_turns_back_at_the_fold) 
   SmallProblem problem = cubic();
   problem.forgets_the_sign = true;
   double largest = -3;
-  const auto path =
-      follow_arclength<SmallProblem>(problem, cubic_start(), {.target = 18, .max_points = 200},
-                                     [&](const CompensatedVector& state, PathPoint&) {
-                                       largest = std::max(largest, state.value()[0]);
-                                       return true;
-                                     });
+  const auto path = follow_arclength<SmallProblem>(
+      problem, cubic_start(), {.target = 18, .max_points = 200}, [&](const auto& at, PathPoint&) {
+        largest = std::max(largest, at.state.value()[0]);
+        return true;
+      });
   BOOST_CHECK(path.end != PathEnd::target_reached);
   BOOST_TEST(largest < 0);  // one step past the fold at x = -1, and back
   BOOST_TEST(std::ranges::any_of(path.points, [](const auto& point) { return point.cosine < 0; }));

@@ -33,13 +33,14 @@ Path<typename P::State> follow_natural(P& problem, PathStart<typename P::State> 
     return problem.linear_solve(-problem.parameter_derivative(), derivative.emplace());
   };
   const auto accepted = [&](double travelled, const NewtonSummary& newton) {
-    const int sign = problem.determinant_sign();
+    if (newton.iterations() > 0 || predictor == Predictor::tangent)
+      known_sign = problem.determinant_sign();  // else it is of a matrix before this path
     return accept<State>(path,
                          {.parameter = parameter,
                           .parameter_slope = direction * options.parameter_scale,
                           .step = travelled,
                           .corrections = newton.iterations(),
-                          .determinant_sign = sign == 0 ? known_sign : sign,
+                          .determinant_sign = known_sign,
                           .residual = newton.final_residual()},
                          options, observe);
   };

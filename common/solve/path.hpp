@@ -109,10 +109,10 @@ struct PathOptions {
   int max_corrections = 10;  ///< full Newton steps: a path needs none shorter, it shortens its own
 };
 
-/// Sees every accepted point, with the problem evaluated there, and may fill `observation`.
-/// Returning false ends the path.
+/// Sees every accepted point, with the problem evaluated there, as where the path goes on from, and
+/// may fill `observation`. Returning false ends the path.
 template <class State>
-using PathObserver = std::function<bool(const State&, PathPoint&)>;
+using PathObserver = std::function<bool(const PathStart<State>&, PathPoint&)>;
 
 /// The step to take after one with that many corrections.
 double next_step(double step, int corrections, const PathOptions& options);
@@ -136,7 +136,7 @@ std::optional<PathEnd> accept(Path<State>& path, PathPoint point, const PathOpti
   point.cost = std::exchange(path.pending, {});
   point.is_fold_passed =
       !path.points.empty() && point.determinant_sign * path.points.back().determinant_sign < 0;
-  const bool goes_on = !observe || observe(path.next.state, point);
+  const bool goes_on = !observe || observe(path.next, point);
   path.points.push_back(std::move(point));
   const double s = path.points.back().parameter;
   if (path.points.size() > 1 && options.target && s == *options.target)
@@ -154,6 +154,7 @@ NewtonSummary solve_at(P& problem, double parameter, typename P::State& state,
   problem.set_parameter(parameter);
   NewtonSummary summary = newton(problem, state,
                                  {.tolerance = options.tolerance,
+                                  .distance = std::numeric_limits<double>::infinity(),
                                   .max_iterations = options.max_corrections,
                                   .hopeless = options.hopeless,
                                   .line_search = LineSearch::none});
