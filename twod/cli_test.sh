@@ -141,7 +141,7 @@ cp "$work/run/results/cylinder/path.csv" "$work/begun.csv"
 run_again "${flow[@]}" --resume --lambda-r 1e-5
 check expect_code 2
 check expect_text stderr --resume "other options" "lambda_r 1e-05, not 1e-06"
-run_again "${flow[@]}" --resume --around 24
+run_again "${flow[@]/16/24}" --resume
 check expect_code 2
 check expect_text stderr --resume "around 24, not 16"
 run_again "${flow[@]}" --resume --max-points 5  # a second time

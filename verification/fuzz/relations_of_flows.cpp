@@ -220,7 +220,7 @@ void ways_of_continuation_agree(Trial& trial) {
 void tolerance_stands_for_the_answer(Trial& trial) {
   const LineScene scene = draw_line_scene(trial.random);
   const bool interior = trial.random.chance(0.4);
-  const double tolerance = trial.random.magnitude(1e-10, 1e-2);
+  const double tolerance = trial.random.magnitude(1e-10, 1e-3);
   const Arguments line =
       scene.arguments + (interior
                              ? Arguments{"--method", "interior-point"}
