@@ -38,9 +38,9 @@ std::vector<std::string> environment(const Command& command) {
   return variables;
 }
 
-void limit(int resource, rlim_t amount) {
-  const rlimit both{amount, amount};
-  setrlimit(static_cast<__rlimit_resource>(resource), &both);
+void limit(int resource, rlim_t amount, rlim_t beyond = 0) {
+  const rlimit soft_and_hard{amount, amount + beyond};
+  setrlimit(static_cast<__rlimit_resource>(resource), &soft_and_hard);
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ Process::Process(const Command& command) : time_limit_(command.time_limit) {
     dup2(command.stdout_is_full ? open("/dev/full", O_WRONLY) : out[1], STDOUT_FILENO);
     dup2(err[1], STDERR_FILENO);
     limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_CPU, cpu_seconds);
+    limit(RLIMIT_CPU, cpu_seconds, 5);  // SIGXCPU first, which says why
     if (command.file_size) {
       signal(SIGXFSZ, SIG_IGN);
       limit(RLIMIT_FSIZE, *command.file_size);
