@@ -59,7 +59,8 @@ void judge_jacobian(Trial& trial, const Line& line, const Outcome& outcome) {
     return argument.find("wrong-sign") != std::string::npos ||
            argument.find("frozen") != std::string::npos;
   });
-  if (!is_broken) trial.expect(is_right, "a right tangent is called wrong");
+  const bool is_open = outcome.out.find("No verdict") != std::string::npos;
+  if (!is_broken && !is_open) trial.expect(is_right, "a right tangent is called wrong");
 }
 
 }  // namespace

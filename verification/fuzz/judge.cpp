@@ -24,10 +24,10 @@ bool is_one_line(const std::string& text) {
 
 // Files that a message speaks of.
 std::vector<std::string> files_named(const std::string& text) {
-  static const std::regex name(R"([\w-]+\.(csv|json|svg|png|vtu|pvd|html)\b)");
+  static const std::regex name(R"((no )?[\w-]+\.(csv|json|svg|png|vtu|pvd|html)\b)");
   std::vector<std::string> names;
   for (std::sregex_iterator it(text.begin(), text.end(), name), end; it != end; ++it)
-    names.push_back(it->str());
+    if (!(*it)[1].matched) names.push_back(it->str());  // "no path.png: gnuplot failed"
   return names;
 }
 
