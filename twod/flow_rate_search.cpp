@@ -72,8 +72,8 @@ Bracket limits(const Section& section, const flow::ShearOptions& options) {
 // Relative, of the flow rate: 1e-10, or what the solves leave in doubt.
 double rate_tolerance(const flow::ShearOptions& options) {
   return std::max(1e-10, options.method == flow::Method::newton
-                            ? 10 * options.newton.tolerance
-                            : 0.5 * options.interior_point.tolerance);
+                             ? 10 * options.newton.tolerance
+                             : 0.5 * options.interior_point.tolerance);
 }
 
 // Why the bracket closed without an angle in it.

@@ -15,7 +15,7 @@ namespace {
 constexpr int most_iterations_allowed = 40;
 // Velocities are of order 1. Under a free surface, where the viscosity vanishes, a residual of
 // 1e-12 leaves up to 2e-8 in them.
-constexpr double largest_error_allowed = 1e-7;
+constexpr double largest_error_allowed = 1e-9;
 
 char mark_of(solve::End end) {
   switch (end) {

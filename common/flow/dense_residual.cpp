@@ -108,6 +108,7 @@ void DenseFlow<Dim>::assemble(const Regularisation& regularisation,
   residual.magnitude = residual.value.cwiseAbs();
   residual.round_off = epsilon * residual.magnitude;
   residual.block_ends = {space_.velocity_count(), space_.size()};
+  residual.rest_size = rheology.lambda_r;  // over a unit length
   space_.for_each_batch([&](std::size_t b) {
     const auto& batch = space_.batches()[b];
     const BatchState<Dim> local(space_, batch, state);

@@ -93,6 +93,7 @@ void ShearFlow<Dim>::evaluate_with(const Regularisation& regularisation, const S
   residual_.value = -load_;
   residual_.magnitude = load_.cwiseAbs();
   residual_.round_off = epsilon * residual_.magnitude;
+  residual_.rest_size = rheology_.lambda_r;  // over a unit length
   for (std::size_t e = 0; e < space_.element_count(); ++e) {
     const auto& nodes = space_.mesh().elements[e];
     const typename Space::LocalVelocities local = space_.local_velocities(w, e);

@@ -22,6 +22,9 @@ struct Residual {
   Eigen::VectorXd round_off;  ///< bound on the rounding error of the value: the computed floor
   /// Ends of the blocks of one kind (momentum, mass), each judged by its own magnitude; empty: one.
   std::vector<Eigen::Index> block_ends = {};
+  /// Size of the leading unknowns at which the law still sees rest: where a solution is smaller, or
+  /// zero, this is what distances are held against.
+  double rest_size = 0;
 
   /// max|value| / max magnitude, of the worst block: what "converged" is judged by.
   double relative_norm() const { return relative(value); }
@@ -141,9 +144,10 @@ NewtonSummary newton(P& problem, typename P::State& state, const NewtonOptions& 
     const bool is_small = is_below_tolerance || residual->is_round_off();
     const End success = is_below_tolerance ? End::converged : End::at_round_off_floor;
     constexpr double safety = 0.1;  // an estimate of the distance is not the distance
-    const double near = std::isinf(options.distance)
-                            ? options.distance
-                            : safety * options.distance * residual->leading_size(state.value());
+    const double solution_size =
+        std::max(residual->leading_size(state.value()), residual->rest_size);
+    const double near =
+        std::isinf(options.distance) ? options.distance : safety * options.distance * solution_size;
     if (is_small && (remaining.bound() <= near || residual->value.isZero(0))) return ended(success);
     since_best = residual->relative_norm() < best ? 0 : since_best + 1;
     best = std::min(best, residual->relative_norm());
@@ -158,7 +162,7 @@ NewtonSummary newton(P& problem, typename P::State& state, const NewtonOptions& 
     if (is_small && remaining.bound_before(size) <= near) return ended(success);
     // Rounding is all that is left of the steps: a success as long as it is little.
     constexpr double little = 1e-6;
-    const bool is_trusted = size <= little * residual->leading_size(state.value());
+    const bool is_trusted = size <= little * solution_size;
     if (residual->is_round_off() && remaining.has_stopped_contracting(size))
       return ended(is_trusted ? End::at_round_off_floor : End::stagnated);
     typename P::State trial = state;
