@@ -290,12 +290,3 @@ BOOST_AUTO_TEST_CASE(halving_the_step_until_the_residual_falls_converges_where_f
     BOOST_TEST(summary.history[i].residual < summary.history[i - 1].residual);
   BOOST_TEST(summary.history.front().step == std::exp2(1 - summary.history.front().evaluations));
 }
-
-BOOST_AUTO_TEST_CASE(ends_have_names_and_failures_have_advice) {
-  std::set<std::string> names;
-  for (const End end : all_ends) {
-    names.insert(name_of(end));
-    BOOST_TEST(advice_for(end).empty() == is_success(end), name_of(end));
-  }
-  BOOST_TEST(names.size() == std::size(all_ends));
-}
