@@ -27,20 +27,18 @@ long times(const std::string& fault, const Faults& faults) {
 }
 
 // The programs behind scripts that do something to them: `script` finds the real program in $real.
+// Of the others there is the help alone.
 class Broken {
  public:
   Broken(const std::string& which, const std::string& script) {
+    const std::string refusal = "echo 'not here: the help is all there is' >&2; exit 2";
     std::string name = (fs::temp_directory_path() / "talus_fuzz_test_XXXXXX").string();
     folder_ = mkdtemp(name.data());
     for (const char* each : {"chute", "bagnold", "heap", "cylinder", "verify"}) {
-      if (which.find(each) == std::string::npos) {
-        fs::create_symlink(programs() / each, folder_ / each);
-        continue;
-      }
       std::ofstream(folder_ / each)
           << "#!/bin/bash\nreal=" << (programs() / each).string() << "\nname=" << each
           << "\n[ \"${!#}\" = --help ] && exec $real --help\n"
-          << script << '\n';
+          << (which.find(each) == std::string::npos ? refusal : script) << '\n';
       fs::permissions(folder_ / each, fs::perms::owner_all);
     }
   }
@@ -144,7 +142,8 @@ BOOST_AUTO_TEST_CASE(a_word_is_told_from_a_number_that_is_none) {
 BOOST_AUTO_TEST_CASE(every_fault_of_a_command_line_is_told) {
   check_that_it_tells(
       "commands", 24, "chute bagnold",
-      {{"case $# in 5) while :; do :; done;; 3|4) kill -SEGV $$;; esac; exec $real \"$@\"",
+      {{"case $# in 5) ulimit -St 1; while :; do :; done;; 3|4) kill -SEGV $$;; esac; exec $real "
+        "\"$@\"",
         {"did not end", "crashed"}},
        {AFTER("[ $code = 0 ] && echo velocity nan; cd results/$name || exit $code;"
               "sed -i 's/\"error_l2\": .*/\"error_l2\": null,/' summary.json;"
@@ -175,7 +174,7 @@ BOOST_AUTO_TEST_CASE(what_a_killed_program_leaves_is_told) {
 
 BOOST_AUTO_TEST_CASE(a_crash_and_a_damage_that_is_believed_are_told) {
   check_that_it_tells(
-      "checkpoints", 2, "cylinder",
+      "checkpoints", 1, "cylinder",
       {{"case \"$*\" in *--resume*) kill -SEGV $$;; esac; exec $real \"$@\"", {"crashed"}},
        {"case \"$*\" in *--resume*) cp -r ../whole/results .; sed -i 's/\"drag\": ./\"drag\": 9/' "
         "results/*/summary.json; exit 0;; esac; exec $real \"$@\"",

@@ -20,7 +20,7 @@ Victim draw_victim(Random& random) {
   const int n = random.whole(1, 8);
   switch (random.below(4)) {
     case 0:
-      return {"chute", {"--plot", "--elements", std::to_string(4000 * n)}};
+      return {"chute", {"--plot", "--elements", std::to_string(400 * n)}};
     case 1:
       return {"heap",
               {"--plot", "--elements", std::to_string(4 * n) + "x" + std::to_string(6 * n)}};

@@ -35,7 +35,7 @@ constexpr Small small[] = {{"heap", "--elements", "--elements", "4x5"},
                            {"cylinder", "--around", "--around", "16"},
                            {"cylinder", "--loading", "--loading", "0.02"},
                            {"cylinder", "--lambda-r", "--lambda-r", "1e-3"},
-                           {"cylinder", "--max-points", "--max-points", "30"},
+                           {"cylinder", "--max-points", "--max-points", "6"},
                            {"verify", "--list", "--list", nullptr}};
 
 class Drawing {

@@ -10,7 +10,7 @@ using Arguments = std::vector<std::string>;
 // Runs of some tenths of a second, each with another result.
 Arguments draw_run(const std::string& program, Random& random) {
   const std::string n = std::to_string(random.whole(1, 9));
-  if (program == "chute") return {"--elements", "3000" + n, "--plot"};
+  if (program == "chute") return {"--elements", "200" + n, "--plot"};
   if (program == "heap") return {"--elements", "2" + n + "x30", "--plot"};
   return {"--around", "16", "--sweep", "0.01:0.0" + n + "5:4", "--lambda-r", "1e-2"};
 }

@@ -157,10 +157,10 @@ Outcome Process::outcome() {
   return outcome_;
 }
 
-bool Process::leaves_nothing_running(double seconds) const {
+bool Process::leaves_nothing_running() const {
   const auto start = Clock::now();
   while (kill(-id_, 0) == 0) {
-    if (seconds_since(start) > seconds) return false;
+    if (seconds_since(start) > time_limit_ / 40) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   return true;

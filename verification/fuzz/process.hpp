@@ -52,8 +52,8 @@ class Process {
   void send(int signal, bool to_group);
   /// Waits for its end; kills it at the time limit.
   Outcome outcome();
-  /// Whether its children have all ended, so many seconds after it at the latest.
-  bool leaves_nothing_running(double seconds = 10) const;
+  /// Whether its children have all ended, a fortieth of the time limit after it at the latest.
+  bool leaves_nothing_running() const;
 
  private:
   void read_output();

@@ -19,7 +19,7 @@ double largest(const Option& option) {
     const std::pair<const char*, double> caps[] = {{"--elements", 200},
                                                    {"--around", 24},
                                                    {"--threads", 4},
-                                                   {"--max-points", 60},
+                                                   {"--max-points", 12},
                                                    {"--max-iterations", 500}};
     for (const auto& [name, cap] : caps)
       if (option.name == name) return std::min(option.upper, cap);
