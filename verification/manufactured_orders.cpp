@@ -175,9 +175,9 @@ void manufactured_orders(Chapter& chapter, const Context& context) {
       "them a solution follows from automatic differentiation; one side carries the exact "
       "traction. Distorted meshes are distorted anew on every level, so that their elements do not "
       "tend to parallelograms; on the sector they do, and there even a mapped pressure would keep "
-      "its order. The pressures keep I inside the well-posed band. Beyond it the errors wander "
-      "with the mesh, and no order can be measured, which is no fault of the elements: under a "
-      "fifth of the pressure (I up to 1.6) the errors of u in L2 on the stretched meshes are " +
+      "its order. The pressures keep I inside the well-posed band. Beyond it, under a fifth of the "
+      "pressure (I up to 1.6), no order is asked for, since ill-posedness is no fault of the "
+      "elements: there the errors of u in L2 on the stretched meshes are " +
       errors_at_large_inertial_numbers(families[1]) + ".");
 }
 

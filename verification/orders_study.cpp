@@ -211,8 +211,9 @@ Chapter orders_of(const std::vector<oned::ShearScene>& scenes, const Context& co
   chapter.text(
       "Quadratic elements, exact solutions (17) and (18). Three norms are true ones; the paper's "
       "“RMS” is the root mean square divided by sqrt(N), which adds ½ to every order. Bagnold's "
-      "profile has a singular second derivative at the free surface: order 2 on uniform meshes, 3 "
-      "on graded ones. The chute's profile has a kink in its slope at y0: order 3 with a node "
+      "profile has a singular second derivative at the free surface: expected are order 2 on "
+      "uniform meshes, 3 on graded ones. The chute's profile has a kink in its slope at y0: order "
+      "3 with a node "
       "there, 2 with y0 at a fixed place inside an element, and none that could be fitted on plain "
       "uniform meshes, where y0 falls elsewhere in its element each time. The control law has no "
       "yield stress and no plug; its slope jumps by 5% where its creep ends, at y0 = μ(I1) p, and "

@@ -51,8 +51,8 @@ void add_section_orders(Chapter& chapter, const Context& context) {
   }
   chapter.text(
       "The heap's section has no exact solution; the order of its flow rate follows from three "
-      "meshes. Without slip it is 1, because the flow slips at the top of the wall all the same, "
-      "within the last element; with the relaxed wall it is higher.");
+      "meshes. Without slip 1 is expected, because the flow slips at the top of the wall all the "
+      "same, within the last element; with the relaxed wall more.");
   chapter.table(std::move(table));
 }
 

@@ -172,3 +172,17 @@ BOOST_AUTO_TEST_CASE(a_path_without_a_point_has_no_number) {
         none.last().ill_posed_share, none.largest_loading(), none.smallest_lambda_r()})
     BOOST_TEST(std::isnan(each));
 }
+
+// What a caption gives is computed.
+BOOST_AUTO_TEST_CASE(a_range_in_words_is_that_of_its_numbers_and_nan_is_not_known) {
+  verification::Range range;
+  BOOST_TEST(range.text(2) == "not known");
+  range.add(2);
+  BOOST_TEST(range.text(2) == "2");
+  range.add(-1.234);
+  BOOST_TEST(range.text(2) == "-1.2 to 2");
+  range.add(std::numeric_limits<double>::quiet_NaN());
+  range.add(3);
+  BOOST_TEST(range.text(2) == "not known");
+  BOOST_TEST(verification::known(std::numeric_limits<double>::quiet_NaN(), 2) == "not known");
+}
