@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "verification/fit.hpp"
 #include "verification/methods.hpp"
 #include "verification/stability_parts.hpp"
 
@@ -84,9 +85,11 @@ void floor(Chapter& chapter) {
                 1e-10);
   chapter.figure(
       {"floor",
-       "The residual in plain double ends a little below the floor computed with it: "
-       "ε Σ|contributions| plus what rounding of the velocities makes of the stress. With "
-       "the rounding of the iterate kept, residuals end near 1e-16 whatever λr.",
+       "Where the residual in plain double ends, against the floor computed with it, "
+       "ε Σ|contributions| plus what rounding of the velocities makes of the stress: at " +
+           known(smallest, 2) + " to " + known(largest, 2) +
+           " of it. With the rounding of the iterate kept, residuals end at " +
+           known(largest_compensated, 2) + " at most.",
        {panel},
        1});
 }
@@ -108,6 +111,7 @@ Chapter stability_study(const Context& context) {
   context.progress(0.95);
   floor(chapter);
   add_cylinder_atlas(chapter, context);
+  add_cylinder_penalties(chapter, context);
   return chapter;
 }
 
