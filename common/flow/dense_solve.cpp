@@ -22,7 +22,9 @@ bool DenseFlow<Dim>::solve_linearised(const Eigen::VectorXd& right_hand_side, St
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   constexpr int most_refinements = 4;
   constexpr double worthwhile = 0.1;
-  constexpr double useful = 0.1;       // what a step may leave of its right side
+  // A step may leave anything less than all of its right side: asked for a tenth, Newton stops in a
+  // wake of negative pressure that it gets through otherwise (docs/cylinder.md, what ends a sweep).
+  constexpr double useful = 1;
   constexpr double negligible = 1e-9;  // of it: among the roundings none is better than another
   const double size = right_hand_side.norm();
   Eigen::VectorXd correction;
