@@ -111,12 +111,13 @@ void two_dimensions(Chapter& chapter, const std::vector<MeshFamily<2>>& families
                     const Context& context) {
   io::Table table{
       "Velocity-pressure flow: fitted orders (3, 2, 2) and errors on the finest mesh", header, {}};
-  io::Figure figure{"orders_manufactured",
-                    "Errors of manufactured flows under eq. (12) against element size. With the "
-                    "pressure mapped from the reference element the order of p is lost where "
-                    "elements stay distorted, and with it that of u.",
-                    {},
-                    static_cast<int>(flow_norms.size())};
+  io::Figure figure{
+      "orders_manufactured",
+      "Errors of manufactured flows under eq. (12) against element size. With the "
+      "pressure mapped from the reference element the order of p should be lost where "
+      "elements stay distorted, and with it that of u.",
+      {},
+      static_cast<int>(flow_norms.size())};
   for (const auto& exact : flow::manufactured_flows<2>()) {
     const std::size_t first_panel = figure.panels.size();
     for (const FlowNorm& norm : flow_norms) {

@@ -91,11 +91,12 @@ void figure_3a(Chapter& chapter, io::Table& findings, const oned::ShearScene& sc
               "h = b/320: (9) " + io::rounded(simple, 3) + " times, (10) " + io::rounded(be, 3) +
                   " times, (11) " + io::rounded(exponential, 3) + " times the error of (12)",
               agrees, "(9) worst: agrees; the advantage of (12) over (10), (11) is not reproduced");
-  chapter.figure({"fig3a",
-                  "Uniform meshes: y0 sits elsewhere in its element on each, so the error does not "
-                  "fall regularly; without λr (interior point) it goes on falling.",
-                  {panel},
-                  1});
+  chapter.figure(
+      {"fig3a",
+       "Uniform meshes: y0 sits elsewhere in its element on each, and the error need not "
+       "fall regularly. The interior point has no λr that could stop it.",
+       {panel},
+       1});
 }
 
 // Fig. 3b: error against Newton iterations from rest.
@@ -176,7 +177,9 @@ void figure_5(Chapter& chapter, io::Table& findings, const oned::ShearScene& sce
               agrees, "agrees");
   chapter.figure({"fig5",
                   "What the paper shows in two plots is a sum: a mesh error that no λr lowers, and "
-                  "a λr error, linear in λr, that no mesh lowers. The third panel isolates it.",
+                  "a λr error that no mesh lowers. The third panel isolates it; its orders in λr "
+                  "are " +
+                      io::fixed(smallest_order, 3) + " to " + io::fixed(largest_order, 3) + ".",
                   {a, b, c},
                   3});
 }

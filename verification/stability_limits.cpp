@@ -94,9 +94,8 @@ std::vector<std::string> discrete_limits(const oned::ShearScene& scene, int elem
 void add_limits(Chapter& chapter, const Context& context) {
   chapter.text(
       "Past the load μ2 p no steady flow exists, but a mesh tests the stress at its quadrature "
-      "points only, which stay inside. Between the exact limit and that of the mesh, Newton "
-      "returns "
-      "a converged number for a flow that does not exist: the programs test the load first. The "
+      "points only, which may stay inside. Then Newton returns a converged number for a flow that "
+      "does not exist: the programs test the load first. The "
       "interior point says no_steady_state where the discrete problem itself has no solution, and "
       "rest where a stress in equilibrium stays within yield.");
   io::Figure figure{

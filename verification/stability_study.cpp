@@ -102,7 +102,8 @@ Chapter stability_study(const Context& context) {
       "Every cell of the maps is one solve from rest without fallback. A success is checked "
       "against "
       "the interior point on the same mesh, or, for the control law without yield stress, against "
-      "itself at λr = 1e-14: no silent wrong answer. The limits of rest are those of eq. (4); the "
+      "itself at λr = 1e-14: a wrong one would be silent. The limits of rest are those of eq. (4); "
+      "the "
       "control law is left out of them because it is never at rest. The ends are explained in "
       "docs/theory.md.");
   add_maps(chapter, context);
