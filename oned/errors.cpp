@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "common/fem/quadrature.hpp"
 #include "common/solve/extremes.hpp"
@@ -65,6 +66,30 @@ Errors norms(const std::vector<Element>& elements, std::optional<double> kink,
   return result;
 }
 
+// Of values at the quadrature points apart from others there; NaN unless both are known at all.
+PointNorms point_norms(const flow::CrossSection<1>& space, const std::vector<double>& values,
+                       const std::vector<double>& others) {
+  const auto& points = space.points();
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  if (values.size() != points.size() || others.size() != points.size()) return {unknown, unknown};
+  PointNorms norms;
+  double square = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double apart = std::abs(values[k] - others[k]);
+    square += points[k].weight * apart * apart;
+    norms.max = solve::nan_max(norms.max, apart);
+  }
+  norms.l2 = std::sqrt(square);
+  return norms;
+}
+
+std::vector<double> at_points(const flow::CrossSection<1>& space,
+                              const std::function<double(double)>& profile) {
+  std::vector<double> values;
+  for (const auto& point : space.points()) values.push_back(profile(point.position[0]));
+  return values;
+}
+
 }  // namespace
 
 double velocity_at(const Solution& solution, double x) {
@@ -77,15 +102,23 @@ double velocity_at(const Solution& solution, double x) {
 
 Errors errors(const Solution& solution, const ShearScene& scene) {
   const auto elements = elements_of(solution);
-  return norms(elements, scene.kink, [&](std::size_t i, double x) {
+  Errors all = norms(elements, scene.kink, [&](std::size_t i, double x) {
     return elements[i].at(x) - scene.exact_velocity(x);
   });
+  const auto& space = solution.space;
+  all.shear_rate =
+      point_norms(space, solution.shear_rate, at_points(space, scene.exact_shear_rate));
+  all.stress = point_norms(space, solution.stress, at_points(space, scene.exact_stress));
+  return all;
 }
 
 Errors distance(const Solution& a, const Solution& b) {
   const auto of_a = elements_of(a), of_b = elements_of(b);
-  return norms(of_a, std::nullopt,
-               [&](std::size_t i, double x) { return of_a[i].at(x) - of_b[i].at(x); });
+  Errors all = norms(of_a, std::nullopt,
+                     [&](std::size_t i, double x) { return of_a[i].at(x) - of_b[i].at(x); });
+  all.shear_rate = point_norms(a.space, a.shear_rate, b.shear_rate);
+  all.stress = point_norms(a.space, a.stress, b.stress);
+  return all;
 }
 
 }  // namespace talus::oned

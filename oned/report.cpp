@@ -41,7 +41,11 @@ json summary(const ShearScene& scene, const RunParameters& parameters, const Sol
                     {"error_l2", error.l2},
                     {"error_max", error.max},
                     {"error_nodal_max", error.nodal_max},
-                    {"error_paper_rms", error.paper_rms}};
+                    {"error_paper_rms", error.paper_rms},
+                    {"error_shear_rate_l2", error.shear_rate.l2},
+                    {"error_shear_rate_max", error.shear_rate.max},
+                    {"error_stress_l2", error.stress.l2},
+                    {"error_stress_max", error.stress.max}};
   return all;
 }
 

@@ -57,17 +57,6 @@ double largest_velocity(const Solution& solution) {
   return solution.velocity.value().lpNorm<Eigen::Infinity>();
 }
 
-// The scene's exact velocity at the nodes, plus perturbation(x).
-Solution interpolated(const ShearScene& scene, const MeshOptions& mesh,
-                      const std::function<double(double)>& perturbation) {
-  Solution solution = solved(scene, mesh, 1e-4);
-  const auto& nodes = solution.space.mesh().nodes;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    solution.velocity.set(static_cast<Eigen::Index>(i),
-                          scene.exact_velocity(nodes[i][0]) + perturbation(nodes[i][0]));
-  return solution;
-}
-
 double observed_order(const ShearScene& scene, MeshOptions mesh, int coarse, double lambda_r) {
   const auto error = [&](int elements) {
     mesh.elements = elements;
@@ -162,51 +151,6 @@ BOOST_AUTO_TEST_CASE(a_resting_scene_is_exactly_at_rest) {
       BOOST_TEST(scene.exact_velocity(share * scene.length) == 0);
       BOOST_TEST(scene.exact_shear_rate(share * scene.length) == 0);
     }
-}
-
-// The paper prints (1/N) sqrt(Σ err²) and calls it RMS.
-BOOST_AUTO_TEST_CASE(the_paper_s_norm_is_the_root_mean_square_over_the_root_of_n) {
-  const ShearScene scene = scene_of(Chute{});
-  const MeshOptions mesh{.elements = 12};
-  constexpr double shift = 0.25, nodes = 25;
-  const Errors off = errors(interpolated(scene, mesh, [](double) { return shift; }), scene);
-  BOOST_TEST(off.paper_rms == shift / std::sqrt(nodes), tolerance(1e-12));
-  BOOST_TEST(off.nodal_max == shift, tolerance(1e-12));
-}
-
-BOOST_AUTO_TEST_CASE(a_perturbed_exact_solution_has_the_errors_of_its_perturbation) {
-  for (const ShearScene& scene : scenes()) {
-    const MeshOptions mesh{.elements = 400};
-    const Errors exact = errors(interpolated(scene, mesh, [](double) { return 0; }), scene);
-    const auto bump = [&](double x) { return 0.1 * x / scene.length; };
-    const Errors wrong = errors(interpolated(scene, mesh, bump), scene);
-    BOOST_TEST(exact.nodal_max < 1e-14);
-    BOOST_TEST(exact.max < 1e-2);
-    BOOST_TEST(wrong.l2 == 0.1 * std::sqrt(scene.length / 3), tolerance(1e-3));
-    BOOST_TEST(wrong.nodal_max == 0.1, tolerance(1e-12));
-    BOOST_TEST(wrong.max >= wrong.nodal_max);
-    BOOST_TEST(wrong.l2 > 10 * exact.l2);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(distances_between_solutions_are_those_of_their_difference) {
-  const ShearScene scene = scene_of(Chute{});
-  const MeshOptions mesh{.elements = 12};
-  const Solution a = interpolated(scene, mesh, [](double) { return 0; });
-  const Solution b = interpolated(scene, mesh, [](double x) { return x * x; });
-  BOOST_TEST(distance(a, a).l2 == 0);
-  BOOST_TEST(distance(a, b).l2 == std::sqrt(std::pow(14., 5) / 5), tolerance(1e-12));
-  BOOST_TEST(distance(a, b).max == 14. * 14, tolerance(1e-12));
-}
-
-BOOST_AUTO_TEST_CASE(velocities_between_the_nodes_are_those_of_the_parabolas) {
-  const ShearScene scene = scene_of(Bagnold{});
-  const auto parabola = [](double z) { return 3 + z * (2 - 0.1 * z); };
-  const Solution solution = interpolated(scene, {.elements = 5, .grading = 2}, [&](double z) {
-    return parabola(z) - scene.exact_velocity(z);
-  });
-  for (const double z : {0., 0.1, 3.3, 9.99, 13.7, 14.})
-    BOOST_TEST(velocity_at(solution, z) == parabola(z), tolerance(1e-13));
 }
 
 BOOST_AUTO_TEST_CASE(graded_bagnold_has_the_reference_errors) {

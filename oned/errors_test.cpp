@@ -1,0 +1,143 @@
+#include "oned/errors.hpp"
+
+#include <cmath>
+
+#include <boost/test/unit_test.hpp>
+
+#include "oned/scenes.hpp"
+
+using namespace talus;
+using namespace talus::oned;
+using boost::test_tools::tolerance;
+
+namespace {
+
+// The scene's exact velocity at the nodes, plus perturbation(x).
+Solution interpolated(const ShearScene& scene, const MeshOptions& mesh,
+                      const std::function<double(double)>& perturbation) {
+  Solution solution{{}, space_of(scene, boundaries(scene, mesh))};
+  solution.velocity = solve::CompensatedVector(solution.space.node_count());
+  const auto& nodes = solution.space.mesh().nodes;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    solution.velocity.set(static_cast<Eigen::Index>(i),
+                          scene.exact_velocity(nodes[i][0]) + perturbation(nodes[i][0]));
+  return solution;
+}
+
+// Fields at the quadrature points made by hand: a share of the exact ones, and a shift.
+Solution made_by_hand(const ShearScene& scene, const MeshOptions& mesh, double share,
+                      double shift) {
+  Solution solution = interpolated(scene, mesh, [](double) { return 0; });
+  for (const auto& point : solution.space.points()) {
+    const double x = point.position[0];
+    solution.shear_rate.push_back(share * scene.exact_shear_rate(x) + shift);
+    solution.stress.push_back(share * scene.exact_stress(x) + shift);
+  }
+  return solution;
+}
+
+}  // namespace
+
+// The paper prints (1/N) sqrt(Σ err²) and calls it RMS.
+BOOST_AUTO_TEST_CASE(the_paper_s_norm_is_the_root_mean_square_over_the_root_of_n) {
+  const ShearScene scene = scene_of(Chute{});
+  const MeshOptions mesh{.elements = 12};
+  constexpr double shift = 0.25, nodes = 25;
+  const Errors off = errors(interpolated(scene, mesh, [](double) { return shift; }), scene);
+  BOOST_TEST(off.paper_rms == shift / std::sqrt(nodes), tolerance(1e-12));
+  BOOST_TEST(off.nodal_max == shift, tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(a_perturbed_exact_solution_has_the_errors_of_its_perturbation) {
+  for (const ShearScene& scene : scenes()) {
+    const MeshOptions mesh{.elements = 400};
+    const Errors exact = errors(interpolated(scene, mesh, [](double) { return 0; }), scene);
+    const auto bump = [&](double x) { return 0.1 * x / scene.length; };
+    const Errors wrong = errors(interpolated(scene, mesh, bump), scene);
+    BOOST_TEST(exact.nodal_max < 1e-14);
+    BOOST_TEST(exact.max < 1e-2);
+    BOOST_TEST(wrong.l2 == 0.1 * std::sqrt(scene.length / 3), tolerance(1e-3));
+    BOOST_TEST(wrong.nodal_max == 0.1, tolerance(1e-12));
+    BOOST_TEST(wrong.max >= wrong.nodal_max);
+    BOOST_TEST(wrong.l2 > 10 * exact.l2);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(distances_between_solutions_are_those_of_their_difference) {
+  const ShearScene scene = scene_of(Chute{});
+  const MeshOptions mesh{.elements = 12};
+  const Solution a = interpolated(scene, mesh, [](double) { return 0; });
+  const Solution b = interpolated(scene, mesh, [](double x) { return x * x; });
+  BOOST_TEST(distance(a, a).l2 == 0);
+  BOOST_TEST(distance(a, b).l2 == std::sqrt(std::pow(14., 5) / 5), tolerance(1e-12));
+  BOOST_TEST(distance(a, b).max == 14. * 14, tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(velocities_between_the_nodes_are_those_of_the_parabolas) {
+  const ShearScene scene = scene_of(Bagnold{});
+  const auto parabola = [](double z) { return 3 + z * (2 - 0.1 * z); };
+  const Solution solution = interpolated(scene, {.elements = 5, .grading = 2}, [&](double z) {
+    return parabola(z) - scene.exact_velocity(z);
+  });
+  for (const double z : {0., 0.1, 3.3, 9.99, 13.7, 14.})
+    BOOST_TEST(velocity_at(solution, z) == parabola(z), tolerance(1e-13));
+}
+
+BOOST_AUTO_TEST_CASE(rates_and_stresses_made_by_hand_have_the_errors_they_were_given) {
+  const Bagnold bagnold;
+  const ShearScene scene = scene_of(bagnold);
+  const MeshOptions mesh{.elements = 7, .grading = 1.5};
+  const double H = bagnold.height, shift = 0.25;
+  const Errors exact = errors(made_by_hand(scene, mesh, 1, 0), scene);
+  for (const double error :
+       {exact.shear_rate.l2, exact.shear_rate.max, exact.stress.l2, exact.stress.max})
+    BOOST_TEST(error == 0);
+
+  const Errors shifted = errors(made_by_hand(scene, mesh, 1, shift), scene);
+  for (const PointNorms& norms : {shifted.shear_rate, shifted.stress}) {
+    BOOST_TEST(norms.l2 == shift * std::sqrt(H), tolerance(1e-12));
+    BOOST_TEST(norms.max == shift, tolerance(1e-12));
+  }
+
+  // Off by 1%. The squares of the exact fields are polynomials: (H - z) and (H - z)².
+  const Solution off = made_by_hand(scene, mesh, 1.01, 0);
+  const Errors wrong = errors(off, scene);
+  const double last = off.space.points().front().position[0];  // where both are largest
+  BOOST_TEST(wrong.shear_rate.l2 == 0.01 * scene.exact_shear_rate(0) * std::sqrt(H / 2),
+             tolerance(1e-10));
+  BOOST_TEST(wrong.shear_rate.max == 0.01 * scene.exact_shear_rate(last), tolerance(1e-10));
+  BOOST_TEST(wrong.stress.l2 == 0.01 * scene.exact_stress(0) * std::sqrt(H / 3), tolerance(1e-10));
+  BOOST_TEST(wrong.stress.max == 0.01 * scene.exact_stress(last), tolerance(1e-10));
+
+  const Errors apart = distance(off, made_by_hand(scene, mesh, 1, 0));
+  BOOST_TEST(apart.shear_rate.l2 == wrong.shear_rate.l2, tolerance(1e-10));
+  BOOST_TEST(apart.stress.max == wrong.stress.max, tolerance(1e-10));
+}
+
+BOOST_AUTO_TEST_CASE(a_solution_without_rates_and_stresses_has_no_errors_of_them) {
+  const ShearScene scene = scene_of(Chute{});
+  Solution solution = made_by_hand(scene, {.elements = 3}, 1, 0);
+  solution.shear_rate.clear();
+  const Errors none = errors(solution, scene);
+  BOOST_TEST(std::isnan(none.shear_rate.l2));
+  BOOST_TEST(std::isnan(none.shear_rate.max));
+  BOOST_TEST(none.stress.max == 0);
+  solution.stress.back() = std::numeric_limits<double>::quiet_NaN();
+  BOOST_TEST(std::isnan(errors(solution, scene).stress.l2));
+  BOOST_TEST(std::isnan(errors(solution, scene).stress.max));
+}
+
+// One order below the velocity's: rates come from its slope.
+BOOST_AUTO_TEST_CASE(rates_and_stresses_of_a_solved_scene_tend_to_the_exact_ones) {
+  const ShearScene scene = scene_of(Bagnold{});
+  const auto solved = [&](int elements) {
+    SolveOptions options;
+    options.lambda_r = 1e-8;
+    return errors(
+        oned::solve(scene, boundaries(scene, {.elements = elements, .grading = 3}), options),
+        scene);
+  };
+  const Errors coarse = solved(20), fine = solved(40);
+  BOOST_TEST(std::log2(coarse.shear_rate.l2 / fine.shear_rate.l2) == 2, tolerance(0.05));
+  BOOST_TEST(std::log2(coarse.stress.l2 / fine.stress.l2) > 1.9);
+}
