@@ -29,13 +29,13 @@ is_close() {  # KEY VALUE: that of results in the last summary is near it, relat
 has_file() { [ -s "$work/run/results/heap/$1" ] || { echo "no $1"; return 1; }; }
 
 # 1. The sample runs of the program's header; --plot draws the section's figure or the heap's.
-sed '/--model 3d/d' "$source_folder/heap_main.cpp" >"$work/section_samples.cpp"
+sed '/--model space/d' "$source_folder/heap_main.cpp" >"$work/section_samples.cpp"
 sed '/^\/\/   heap --elements/d' "$source_folder/heap_main.cpp" >"$work/heap_samples.cpp"
 check_samples "$heap" "$work/section_samples.cpp" section
 check_samples "$heap" "$work/heap_samples.cpp" heap
 
 # 2. The model in three dimensions tells what it found, and what would have done.
-check succeeds heap "$heap" --model 3d --elements 1x5x6 --start rest
+check succeeds heap "$heap" --model space --elements 1x5x6 --start rest
 check expect_text stdout "hint: for the heap its cross-section" "1x5x6 elements"
 check is_below 1e-12 cross_flow
 check is_below 1e-10 dynamic_pressure
@@ -43,9 +43,16 @@ check_fails is_below 1e-10 flow_rate
 for file in surface.csv newton.csv heap.vtu; do
   check has_file $file
 done
-check succeeds heap "$heap" --model 3d --elements 1x5x6 --flow-rate 39.71 --start section
+check succeeds heap "$heap" --model space --elements 1x5x6 --flow-rate 39.71 --start section
 check expect_text stdout "flow rate Q* = 39.71" "times that"
 check is_below 1e-10 departure_from_section
+
+check succeeds heap "$heap" --model 3d --elements 1x2x3  # the older spelling
+check expect_text run/results/heap/summary.json '"model": "space"'
+check_fails expect_text stdout " 3d"
+run "$heap" --help
+check expect_text stdout "[section, space]"
+check_fails expect_text stdout " 3d"
 
 check succeeds heap "$heap" --method newton --elements 18x16 --start nested
 check expect_text stdout "9x8 elements" "18x16 elements"
@@ -55,23 +62,23 @@ for value in 0x5 5x0 7 7x x 7x-3 abc 1e9x2 1x7x10 7x10x; do
   check refuses --elements "'$value'" -- "$heap" --elements "$value"
 done
 for value in 7x10 1x7x 1x0x5 0x7x10 1x2x3x4 50x50x50; do
-  check refuses --elements "'$value'" ALONGxACROSSxUP -- "$heap" --model 3d --elements "$value"
+  check refuses --elements "'$value'" ALONGxACROSSxUP -- "$heap" --model space --elements "$value"
 done
 check refuses --angle "'2'" 1.57 -- "$heap" --angle 2
 check refuses --grading-to-wall "'9'" "1 ... 8.73" -- "$heap" --elements 40x10 --grading-to-wall 9
 check refuses --grading-to-surface "'9'" "1 ... 8.73" -- \
-  "$heap" --model 3d --elements 1x4x40 --grading-to-surface 9
+  "$heap" --model space --elements 1x4x40 --grading-to-surface 9
 check refuses --flow-rate "'-1'" -- "$heap" --flow-rate -1
 check refuses --angle --flow-rate -- "$heap" --angle 0.4 --flow-rate 10
-check refuses --model "'4d'" section 3d -- "$heap" --model 4d
+check refuses --model "'4d'" section space -- "$heap" --model 4d
 check refuses --wall "'ice'" no-slip friction -- "$heap" --wall ice
 check refuses --lambda-r "'0'" -- "$heap" --lambda-r 0
-check refuses --start "'sitting'" nested -- "$heap" --model 3d --start sitting
-check refuses --outflow "'foo'" open-viscous -- "$heap" --model 3d --outflow foo
+check refuses --start "'sitting'" nested -- "$heap" --model space --start sitting
+check refuses --outflow "'foo'" open-viscous -- "$heap" --model space --outflow foo
 check refuses --frobnicate -- "$heap" --frobnicate
 check refuses --output -- "$heap" --elements 3x4 --output "$work/file/below"
 while read -r option value; do
-  check refuses "$option" "'$value'" "--model 3d" -- "$heap" --model 3d --elements 1x2x3 \
+  check refuses "$option" "'$value'" "--model space" -- "$heap" --model space --elements 1x2x3 \
     "$option" "$value"
 done <<'END'
 --method interior-point
@@ -79,14 +86,14 @@ done <<'END'
 --precision plain
 --tangent frozen
 END
-check refuses --start "'section'" "--model section" "--model 3d" -- "$heap" --start section
+check refuses --start "'section'" "--model section" "--model space" -- "$heap" --start section
 # Options that the model, the method, or a check instead of a solve has no use for.
 while read -r by options; do
   # shellcheck disable=SC2086  # words, as a user types them
   check refuses "${options%% *}: not used by --${by/=/ }" -- "$heap" --elements 1x2x3 $options
 done <<'END'
-model=3d --line-search energy-slope --model 3d
-model=3d --no-continuation --model 3d
+model=space --line-search energy-slope --model space
+model=space --no-continuation --model space
 model=section --outflow open
 method=interior-point --start rest
 method=interior-point --start nested
@@ -97,9 +104,9 @@ method=interior-point --line-search none
 method=interior-point --tangent full
 method=interior-point --no-continuation
 check-jacobian --start rest --check-jacobian
-check-jacobian --start section --check-jacobian --model 3d
+check-jacobian --start section --check-jacobian --model space
 check-jacobian --flow-rate 10 --check-jacobian
-check-jacobian --tolerance 1e-8 --check-jacobian --model 3d
+check-jacobian --tolerance 1e-8 --check-jacobian --model space
 check-jacobian --max-iterations 8 --check-jacobian
 check-jacobian --plot --check-jacobian
 check-jacobian --output elsewhere --check-jacobian
@@ -107,7 +114,7 @@ END
 check refuses "--start: not used by --method interior-point; add --method newton" -- \
   "$heap" --start nested
 check refuses --angle "'23'" "radians (or 23deg)" -- "$heap" --angle 23
-check refuses --outfow "did you mean --outflow?" -- "$heap" --model 3d --outfow open
+check refuses --outfow "did you mean --outflow?" -- "$heap" --model space --outfow open
 check refuses --friction "''" -- "$heap" --elements 3x4 --friction ''
 check refuses --elements "''" -- "$heap" --elements ''
 check succeeds heap "$heap" --elements 07x010 --angle 23deg
@@ -123,12 +130,12 @@ run_again "$heap" --elements 7x10 --max-iterations 2 --plot
 check expect_code 1
 check leaves heap summary.json interior_point.csv
 check expect_text run/results/heap/summary.json '"results": {}' stagnated
-run "$heap" --model 3d --elements 1x3x4 --plot
+run "$heap" --model space --elements 1x3x4 --plot
 with_gnuplot 'exit 1' "$heap" --elements 7x10 --plot
 check expect_code 0
 check expect_text stdout "(no section.png: gnuplot failed)"
 check leaves heap summary.json surface.csv interior_point.csv section.vtu section.dat section.gp
-run_again "$heap" --model 3d --elements 1x3x4 --max-iterations 2
+run_again "$heap" --model space --elements 1x3x4 --max-iterations 2
 check leaves heap summary.json newton.csv
 check expect_text run/results/heap/summary.json '"results": {}' stagnated
 check holds_one_run heap "$heap" --elements 7x10
@@ -146,23 +153,23 @@ run "${with_1_gb[@]}" "$heap" --elements "${size:-none}" --max-iterations 1
 check expect_code 1
 check expect_text stderr stagnated
 check refuses --elements "'46x46x46'" GB available "would fit" -- \
-  "${with_1_gb[@]}" "$heap" --model 3d --elements 46x46x46
+  "${with_1_gb[@]}" "$heap" --model space --elements 46x46x46
 check refuses --elements "'100000x100000'" -- "$heap" --elements 100000x100000
 
 # 4. The limits of existence.
 check has_no_steady_flow 0.571439 "$heap" --elements 3x4 --angle 0.7
-check has_no_steady_flow 0.571439 "$heap" --model 3d --elements 1x3x4 --angle 0.7
+check has_no_steady_flow 0.571439 "$heap" --model space --elements 1x3x4 --angle 0.7
 check is_at_rest heap "$heap" --elements 7x10 --angle 0.3
 
 # 5. A solve that does not succeed says so; so does a Jacobian check.
 run "$heap" --elements 7x10 --max-iterations 2
 check expect_code 1
 check expect_text stderr stagnated
-run "$heap" --model 3d --elements 1x3x4 --max-iterations 2
+run "$heap" --model space --elements 1x3x4 --max-iterations 2
 check expect_code 1
 check expect_text stderr stagnated "--start section"
-for model in section 3d; do
-  [ $model = 3d ] && elements=1x2x2 || elements=3x4
+for model in section space; do
+  [ $model = space ] && elements=1x2x2 || elements=3x4
   run "$heap" --model $model --elements $elements --method newton --check-jacobian \
     --tangent wrong-sign --lambda-r 1e-4
   check expect_code 1
@@ -174,7 +181,7 @@ check succeeds heap "$heap" --elements 7x10 --flow-rate 5000
 check is_close flow_rate 5000
 check succeeds heap "$heap" --elements 7x10 --friction 0.383,0.015,0.279 --flow-rate 10
 check is_close flow_rate 10
-check succeeds heap "$heap" --model 3d --elements 1x3x4 --flow-rate 40 --tolerance 1e-7
+check succeeds heap "$heap" --model space --elements 1x3x4 --flow-rate 40 --tolerance 1e-7
 check is_close flow_rate 40
 check_fails is_close flow_rate 41
 run "$heap" --elements 4x5 --flow-rate 1e6
@@ -188,7 +195,7 @@ check expect_text run/results/heap/summary.json '"status": "stagnated"'
 
 # 7. Negative controls.
 check_fails refuses --elements -- "$heap" --elements 3x4
-check_fails refuses --elements -- "$heap" --model 3d --elements 1x3x4
+check_fails refuses --elements -- "$heap" --model space --elements 1x3x4
 check_fails is_at_rest heap "$heap" --elements 7x10 --angle 0.42
 check_fails has_file no_such_file
 

@@ -8,11 +8,11 @@
 //   heap --elements 18x16 --method newton --start nested
 //   heap --elements 14x20 --wall friction
 //   heap --elements 3x4 --method newton --wall friction --check-jacobian
-//   heap --model 3d --elements 1x16x16 --angle 0.42
-//   heap --model 3d --elements 1x7x10 --flow-rate 39.71 --start section --plot
-//   heap --model 3d --elements 2x7x10 --start rest
-//   heap --model 3d --elements 2x7x10 --outflow open
-//   heap --model 3d --elements 1x2x2 --lambda-r 1e-4 --check-jacobian
+//   heap --model space --elements 1x16x16 --angle 0.42
+//   heap --model space --elements 1x7x10 --flow-rate 39.71 --start section --plot
+//   heap --model space --elements 2x7x10 --start rest
+//   heap --model space --elements 2x7x10 --outflow open
+//   heap --model space --elements 1x2x2 --lambda-r 1e-4 --check-jacobian
 #include <iostream>
 #include <optional>
 
@@ -31,7 +31,7 @@ namespace {
 using Options = threed::ProgramOptions;
 
 int check_jacobian(const Options& options, flow::CrossSection<2>& space) {
-  if (!options.is_3d())
+  if (!options.is_space())
     return program::report("heap", flow::check_jacobian(space, twod::load_of(options.section),
                                                         section_options(options)));
   threed::HeapFlow heap(heap_of(options), options.mesh);
@@ -52,12 +52,13 @@ twod::SectionSolution solve_section(const Options& options, flow::CrossSection<2
       : section_start(options) == twod::Start::nested
           ? twod::solve_nested(options.section, mesh, space, method)
           : twod::solve(options.section, space, method);
-  if (options.is_3d()) solution.seconds = watch.seconds();  // the search for the angle included
+  if (options.is_space()) solution.seconds = watch.seconds();  // the search for the angle included
   return solution;
 }
 
 std::string advice_for(const Options& options, solve::End end) {
-  return options.is_3d() ? "try --start section, or a larger --lambda-r" : solve::advice_for(end);
+  return options.is_space() ? "try --start section, or a larger --lambda-r"
+                            : solve::advice_for(end);
 }
 
 // What was found, by the model asked for: the section itself, or the one in the middle of the heap.
@@ -72,9 +73,9 @@ struct Found {
 // three-dimensional model is that of its cross-section: both have the same flow rate.
 Found solve(Options& options, flow::CrossSection<2>& space) {
   Found found;
-  if (!options.is_3d() || options.start == "section" || options.flow_rate > 0)
+  if (!options.is_space() || options.start == "section" || options.flow_rate > 0)
     found.section = solve_section(options, space);
-  if (!options.is_3d()) return found;
+  if (!options.is_space()) return found;
   if (found.section) options.section.angle = found.section->section.angle;
   found.heap = threed::solve(heap_of(options), options.mesh, heap_options(options),
                              found.section ? &*found.section : nullptr);

@@ -17,8 +17,8 @@ void refuse_values_of_the_other_model(const CLI::App& app, const ProgramOptions&
                           options.model + "; " + advice);
   };
   const program::MethodOptions& method = options.method;
-  if (!options.is_3d()) {
-    if (options.start == "section") refuse("--start", options.start, "it takes --model 3d");
+  if (!options.is_space()) {
+    if (options.start == "section") refuse("--start", options.start, "it takes --model space");
     return;
   }
   if (method.method != "newton") refuse("--method", method.method, "only newton is");
@@ -32,9 +32,9 @@ void refuse_values_of_the_other_model(const CLI::App& app, const ProgramOptions&
 // Which options a run uses.
 std::vector<io::Use> used_options(const ProgramOptions& options) {
   std::vector<io::Use> table = {
-      {{"--outflow"}, options.is_3d(), "--model section; add --model 3d"},
-      {{"--line-search"}, !options.is_3d(), "--model 3d, which has its own, on the residual"},
-      {{"--no-continuation"}, !options.is_3d(), "--model 3d; --start says where it sets out"},
+      {{"--outflow"}, options.is_space(), "--model section; add --model space"},
+      {{"--line-search"}, !options.is_space(), "--model space, which has its own, on the residual"},
+      {{"--no-continuation"}, !options.is_space(), "--model space; --start says where it sets out"},
       {{"--start", "--flow-rate"}, !options.check_jacobian, "--check-jacobian"},
       {{"--start"},
        options.method.method == "newton",
@@ -47,10 +47,10 @@ std::vector<io::Use> used_options(const ProgramOptions& options) {
 // "70x100": elements across and up; in three dimensions those along the stream before them.
 void read_elements(const CLI::App& app, ProgramOptions& options) {
   constexpr long most_elements = 100000;  // of three dimensions: beyond, memory runs out
-  if (options.is_3d() && app.count("--elements") == 0) options.elements = "1x70x100";
+  if (options.is_space() && app.count("--elements") == 0) options.elements = "1x70x100";
   auto& [along, section, length] = options.mesh;
   std::vector<int*> counts{&section.across, &section.up};
-  if (options.is_3d()) counts.insert(counts.begin(), &along);
+  if (options.is_space()) counts.insert(counts.begin(), &along);
   try {
     std::string rest = options.elements;
     for (int*& count : counts) {
@@ -59,14 +59,14 @@ void read_elements(const CLI::App& app, ProgramOptions& options) {
       *count = io::whole_in_range("--elements", rest.substr(0, cross), 1, 2000);
       rest.erase(0, cross + 1);
     }
-    if (options.is_3d() && 1L * along * section.across * section.up > most_elements)
+    if (options.is_space() && 1L * along * section.across * section.up > most_elements)
       throw io::UserError("too many");
   } catch (const io::UserError&) {
     throw io::UserError(
         "--elements: '" + options.elements + "' is not " +
-        (options.is_3d() ? "ALONGxACROSSxUP, three whole numbers of 1 ... 2000, 100000 elements "
-                           "in all, such as 1x70x100"
-                         : "ACROSSxUP, two whole numbers of 1 ... 2000 such as 70x100"));
+        (options.is_space() ? "ALONGxACROSSxUP, three whole numbers of 1 ... 2000, 100000 elements "
+                              "in all, such as 1x70x100"
+                            : "ACROSSxUP, two whole numbers of 1 ... 2000 such as 70x100"));
   }
 }
 
@@ -78,8 +78,8 @@ void add_options(CLI::App& app, ProgramOptions& options) {
   options.method.lambda_r = twod::default_options().lambda_r;
   io::add_choice(app, "--model", options.model,
                  "How much of the scene is modelled: its cross-section, or velocity and pressure "
-                 "in three dimensions (by Newton)",
-                 {"section", "3d"});
+                 "in space (by Newton)",
+                 {"section", "space"}, {{"3d", "space"}});
   CLI::Option* angle =
       io::add_angle(app, "--angle", options.section.angle, "Inclination α", 1e-3, 1.57);
   io::add_real(app, "--flow-rate", options.flow_rate,
@@ -89,15 +89,15 @@ void add_options(CLI::App& app, ProgramOptions& options) {
   io::add_choice(app, "--wall", options.wall,
                  "Side wall: without slip, or with friction mu_2 p where it slips",
                  {"no-slip", "friction"});
-  io::add_text(app, "--elements", options.elements,
-               "Elements ACROSSxUP of half the section; in 3d ALONGxACROSSxUP, default 1x70x100");
-  io::add_choice(
-      app, "--start", options.start,
-      "Where Newton starts: at rest, on ever finer meshes (default in 3d), or in 3d from "
-      "the section",
-      {"rest", "nested", "section"});
+  io::add_text(
+      app, "--elements", options.elements,
+      "Elements ACROSSxUP of half the section; in space ALONGxACROSSxUP, default 1x70x100");
+  io::add_choice(app, "--start", options.start,
+                 "Where Newton starts: at rest, on ever finer meshes (default in space), or "
+                 "there from the section",
+                 {"rest", "nested", "section"});
   io::add_choice(app, "--outflow", options.outflow,
-                 "At the outlet in 3d: developed, or open with or without their pressure",
+                 "At the outlet in space: developed, or open with or without their pressure",
                  {"fully-developed", "open-viscous", "open"});
   io::add_real(app, "--grading-to-wall", options.mesh.section.grading_to_wall,
                "Exponent of the mesh towards the side wall; 1 is uniform", 1, 10);
@@ -114,7 +114,7 @@ void add_options(CLI::App& app, ProgramOptions& options) {
 
 void interpret(const CLI::App& app, ProgramOptions& options) {
   refuse_values_of_the_other_model(app, options);
-  if (options.is_3d()) {
+  if (options.is_space()) {
     options.method.method = "newton";
     if (app.count("--start") == 0) options.start = "nested";
   }
@@ -140,7 +140,7 @@ program::Task task_at(const ProgramOptions& options, double share) {
   program::Task task{
       std::to_string(section[0]) + "x" + std::to_string(section[1]),
       program::section_work(section, is_interior_point, searches * (is_interior_point ? 35 : 20))};
-  if (!options.is_3d()) return task;
+  if (!options.is_space()) return task;
   const int along = scaled(options.mesh.along);
   // In the first and the last layer of nodes only the velocity along the stream is free.
   const double unknowns_per_node = 3 - 4. / (2 * along + 1);
@@ -176,12 +176,12 @@ HeapOptions heap_options(const ProgramOptions& options) {
 }
 
 flow::ShearOptions section_options(const ProgramOptions& options) {
-  return options.is_3d() ? section_options(heap_of(options), heap_options(options))
-                         : program::shear_options(options.method, twod::default_options());
+  return options.is_space() ? section_options(heap_of(options), heap_options(options))
+                            : program::shear_options(options.method, twod::default_options());
 }
 
 twod::Start section_start(const ProgramOptions& options) {
-  return options.is_3d() || options.start == "nested" ? twod::Start::nested : twod::Start::rest;
+  return options.is_space() || options.start == "nested" ? twod::Start::nested : twod::Start::rest;
 }
 
 nlohmann::json parameters(const ProgramOptions& options) {
@@ -194,7 +194,7 @@ nlohmann::json parameters(const ProgramOptions& options) {
                         {"grading_to_surface", section.grading_to_surface},
                         {"friction", program::as_json(options.section.law)}};
   if (options.method.method == "newton") all["start"] = options.start;
-  if (options.is_3d()) {
+  if (options.is_space()) {
     all["elements"] = {along, section.across, section.up};
     all["outflow"] = options.outflow;
   }

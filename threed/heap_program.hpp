@@ -21,7 +21,7 @@ struct ProgramOptions {
   double flow_rate = 0;  ///< 0: the angle is given instead
   bool plot = false, check_jacobian = false;
 
-  bool is_3d() const { return model == "3d"; }
+  bool is_space() const { return model == "space"; }
 };
 
 void add_options(CLI::App& app, ProgramOptions& options);

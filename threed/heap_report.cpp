@@ -80,14 +80,14 @@ std::string comparison_lines(const HeapSolution& solution, const twod::SectionSo
   const std::string lines =
       "cross-flow " + io::rounded(solution.cross_flow, 2) + ", dynamic pressure " +
       io::rounded(solution.dynamic_pressure, 2) + "\n" +
-      program::hint_of_poorer_model("heap", "3D", "its cross-section", "--model section") + "\n";
+      program::hint_of_poorer_model("heap", "space", "its cross-section", "--model section") + "\n";
   if (!section) return lines;
   // A clock may tick more slowly than a small section is solved.
   const std::string times =
       section->seconds > 0
           ? ", " + io::rounded(solution.middle.seconds / section->seconds, 2) + " times that"
           : "";
-  return lines + "the section took " + io::rounded(section->seconds, 2) + " s; 3d " +
+  return lines + "the section took " + io::rounded(section->seconds, 2) + " s; space " +
          io::rounded(solution.middle.seconds, 2) + " s more" + times + "\n";
 }
 

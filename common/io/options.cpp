@@ -129,16 +129,18 @@ CLI::Option* add_reals(CLI::App& app, const std::string& name, std::vector<doubl
 }
 
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
-                        const std::string& description, const std::vector<std::string>& names) {
+                        const std::string& description, const std::vector<std::string>& names,
+                        const std::map<std::string, std::string>& older) {
   std::string list;
   for (const std::string& each : names) list += (list.empty() ? "" : ", ") + each;
   return add_value(
       app, name, "TEXT", description + " [" + list + "]",
       [=, &value](const std::string& text) {
-        if (std::find(names.begin(), names.end(), text) == names.end())
+        const auto now = older.find(text);
+        if (now == older.end() && std::find(names.begin(), names.end(), text) == names.end())
           throw UserError(name + ": '" + text + "' is none of: " + list +
                           did_you_mean(text, names));
-        value = text;
+        value = now == older.end() ? text : now->second;
       },
       [&value] { return value; });
 }

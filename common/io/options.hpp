@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,9 +31,10 @@ CLI::Option* add_angle(CLI::App& app, const std::string& name, double& value,
 CLI::Option* add_reals(CLI::App& app, const std::string& name, std::vector<double>& values,
                        const std::string& description, double lower, double upper);
 
-/// Adds an option that takes one of the names.
+/// Adds an option that takes one of the names; an older spelling of one is still understood.
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
-                        const std::string& description, const std::vector<std::string>& names);
+                        const std::string& description, const std::vector<std::string>& names,
+                        const std::map<std::string, std::string>& older = {});
 
 /// Adds an option that takes any text that is not empty.
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& value,

@@ -26,7 +26,7 @@ Victim draw_victim(Random& random) {
               {"--plot", "--elements", std::to_string(4 * n) + "x" + std::to_string(6 * n)}};
     case 2:
       return {"heap",
-              {"--plot", "--model", "3d", "--elements", "1x" + std::to_string(n + 1) + "x9"}};
+              {"--plot", "--model", "space", "--elements", "1x" + std::to_string(n + 1) + "x9"}};
     default:
       return {"cylinder",
               {"--around", "16", "--sweep", "0.01:0.04:" + std::to_string(n + 1), "--lambda-r",
