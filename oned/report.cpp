@@ -21,7 +21,7 @@ json parameters_as_json(const ShearScene& scene, const RunParameters& parameters
 
 json header(const ShearScene& scene, const RunParameters& parameters) {
   return {{"scene", scene.name},
-          {"model", "1d"},
+          {"model", parameters.model},
           {"parameters", parameters_as_json(scene, parameters)},
           {"regime", rheology::name_of(scene.regime())},
           {"limits", scene.limits}};

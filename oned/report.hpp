@@ -12,6 +12,7 @@ namespace talus::oned {
 
 /// Everything a run is determined by, as resolved from the command line.
 struct RunParameters {
+  std::string model;  ///< line, or the richer one whose line across is measured
   MeshOptions mesh;
   SolveOptions solve;
   nlohmann::json scene;  ///< the scene's own parameters by name

@@ -58,19 +58,25 @@ solve::CompensatedVector line_across(const flow::DenseSpace<Dim>& space,
 }
 
 template <int Dim>
+double largest_pressure(const oned::ShearScene& scene, const flow::DenseSpace<Dim>& space) {
+  double largest = 0;
+  for (const auto& position : space.mesh().nodes)
+    largest = std::max(largest, scene.pressure(position[Dim - 1]));
+  return largest;
+}
+
+template <int Dim>
 flow::Departure departure(const oned::ShearScene& scene, const flow::DenseSpace<Dim>& space,
                           const solve::CompensatedVector& state,
                           const solve::CompensatedVector& velocity) {
-  double largest_pressure = 0;
-  for (const auto& position : space.mesh().nodes)
-    largest_pressure = std::max(largest_pressure, scene.pressure(position[Dim - 1]));
-  return flow::departure(space, state, velocity, largest_pressure);
+  return flow::departure(space, state, velocity, largest_pressure(scene, space));
 }
 
 #define TALUS_FOR(Dim)                                                                          \
   template flow::DenseSpace<Dim> space_of(const oned::ShearScene&, std::span<const double>,     \
                                           const Thickness&);                                    \
   template flow::DenseLoad<Dim> load_of(const oned::ShearScene&);                               \
+  template double largest_pressure(const oned::ShearScene&, const flow::DenseSpace<Dim>&);      \
   template solve::CompensatedVector line_across(const flow::DenseSpace<Dim>&,                   \
                                                 const solve::CompensatedVector&, Eigen::Index); \
   template flow::Departure departure(const oned::ShearScene&, const flow::DenseSpace<Dim>&,     \

@@ -13,19 +13,26 @@
 namespace talus::threed {
 
 /// Elements along the stream and between the two planes of symmetry, each as long as those across
-/// are on average. The paper has one and one.
+/// are on average.
 struct Thickness {
   int along = 1, between = 1;
 };
+/// Two along in the plane, so that the flow may change there; in space one and one, as the paper.
+template <int Dim>
+inline constexpr Thickness thinnest{.along = Dim == 2 ? 2 : 1};
 
 /// Flow enters and leaves fully developed; no slip at the scene's wall. The end without stress is
 /// free, which for the middle of the chute is the same as symmetry: there is no dynamic pressure.
 template <int Dim>
 flow::DenseSpace<Dim> space_of(const oned::ShearScene& scene, std::span<const double> across,
-                               const Thickness& thickness = {});
+                               const Thickness& thickness = thinnest<Dim>);
 /// Static pressure and driving force of a scene, which must outlive the load.
 template <int Dim>
 flow::DenseLoad<Dim> load_of(const oned::ShearScene& scene);
+
+/// Static, at the nodes.
+template <int Dim>
+double largest_pressure(const oned::ShearScene& scene, const flow::DenseSpace<Dim>& space);
 
 /// The velocities along the stream of one line across, where the flow enters.
 template <int Dim>

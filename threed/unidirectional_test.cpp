@@ -1,11 +1,10 @@
 // Chute and inclined plane in velocity and pressure, in the plane and in space.
-#include "threed/unidirectional.hpp"
-
 #include <boost/test/unit_test.hpp>
 
 #include "common/solve/continuation.hpp"
+#include "oned/errors.hpp"
 #include "oned/scenes.hpp"
-#include "oned/solver.hpp"
+#include "threed/unidirectional_solve.hpp"
 
 using namespace talus;
 
@@ -49,6 +48,27 @@ void check_agreement(const threed::Thickness& thickness) {
   }
 }
 
+// What a richer model is measured by, against the line itself.
+template <int Dim>
+void check_measures(const oned::ShearScene& scene, const threed::UnidirectionalOptions& options) {
+  const auto across = oned::boundaries(scene, {.elements = 6, .grading = 1.5});
+  const auto line = oned::solve(scene, across, options);
+  const auto richer = threed::solve_unidirectional<Dim>(scene, across, options);
+  BOOST_TEST_REQUIRE(solve::is_success(line.end));
+  BOOST_TEST_REQUIRE(solve::is_success(richer.line.end));
+  const oned::Errors apart = oned::distance(richer.line, line);
+  const double size = line.velocity.value().template lpNorm<Eigen::Infinity>();
+  BOOST_TEST(apart.max < 1e-9 * size);
+  BOOST_TEST(apart.shear_rate.max < 1e-8 * size);
+  BOOST_TEST(apart.stress.max < 1e-8 * scene.length);
+  BOOST_TEST(richer.cross_flow < 1e-10 * size);
+  BOOST_TEST(richer.dynamic_pressure < 1e-8 * scene.length);
+  BOOST_TEST(richer.change_along < 1e-10);
+  BOOST_TEST(richer.unknowns == richer.space->size());
+  BOOST_TEST(richer.condensed < richer.unknowns);
+  BOOST_TEST(richer.factorisations >= richer.line.iterations());
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(in_the_plane_the_flow_is_that_of_the_line) {
@@ -83,4 +103,36 @@ BOOST_AUTO_TEST_CASE(a_line_across_is_what_was_extruded) {
   BOOST_TEST(threed::line_across(space, state, 7).value() == value,
              boost::test_tools::per_element());
   BOOST_TEST(threed::departure(scene, space, state, velocity).velocity == 0);
+}
+
+BOOST_AUTO_TEST_CASE(rates_and_stresses_of_a_richer_model_are_those_of_the_line) {
+  for (const auto& scene : oned::scenes())
+    for (const auto tangent : {flow::TangentTerm::full, flow::TangentTerm::primal_dual})
+      BOOST_TEST_CONTEXT(scene.name) {
+        threed::UnidirectionalOptions options;
+        options.lambda_r = 1e-4;
+        options.tangent_term = tangent;
+        check_measures<2>(scene, options);
+        check_measures<3>(scene, options);
+        options.penalty = {flow::Penalty::plain, 1e-6};
+        check_measures<2>(scene, options);
+      }
+}
+
+BOOST_AUTO_TEST_CASE(without_continuation_a_tangent_that_is_broken_leads_nowhere) {
+  const auto scene = scene_of(oned::Chute{});
+  const auto across = oned::boundaries(scene, {.elements = 4});
+  threed::UnidirectionalOptions options;
+  options.lambda_r = 1e-4;
+  options.continuation = flow::Continuation::never;
+  BOOST_TEST(solve::is_success(threed::solve_unidirectional<2>(scene, across, options).line.end));
+  options.tangent_term = flow::TangentTerm::wrong_sign;
+  const auto broken = threed::solve_unidirectional<2>(scene, across, options);
+  BOOST_TEST(!solve::is_success(broken.line.end));
+  BOOST_TEST(broken.line.newton.path.empty());
+  const auto checks = threed::check_unidirectional<2>(scene, across, options);
+  BOOST_CHECK(checks.back().check.verdict() == solve::Verdict::wrong);
+  options.tangent_term = flow::TangentTerm::full;
+  for (const auto& named : threed::check_unidirectional<3>(scene, across, options))
+    BOOST_TEST(named.check.passed(), named.state);
 }

@@ -14,6 +14,7 @@
 #include "common/flow/dense_jacobian.hpp"
 #include "common/io/options.hpp"
 #include "common/program/method_options.hpp"
+#include "common/program/penalty_options.hpp"
 #include "common/program/summary.hpp"
 #include "common/program/work.hpp"
 #include "common/solve/parallel.hpp"
@@ -26,10 +27,10 @@ namespace {
 
 struct Options {
   twod::SweepOptions run;
-  std::string sweep, regularisation = "chauchat-medale", penalty = "iterated", friction;
+  program::PenaltyOptions penalty{.plain = 1e-8};
+  std::string sweep, regularisation = "chauchat-medale", friction;
   std::string outflow = "fully-developed", continuation = "primal-dual", route;
   std::string output = "results/cylinder";
-  double lambda_p = 0;  // 0: the penalty's own default
   bool no_pressure_regularisation = false, no_inertia = false, plot = false;
   bool check_jacobian = false;
   int threads = 1;
@@ -57,9 +58,7 @@ void read(Options& o) {
     throw io::UserError("--around: '" + std::to_string(scene.mesh.around) +
                         "' is not a multiple of 8 in 16 ... 640");
   scene.regularisation = *rheology::regularisation_named(o.regularisation);
-  scene.penalty.kind = o.penalty == "plain" ? flow::Penalty::plain : flow::Penalty::iterated;
-  if (scene.penalty.kind == flow::Penalty::plain) scene.penalty.lambda_p = 1e-8;
-  if (o.lambda_p > 0) scene.penalty.lambda_p = o.lambda_p;
+  scene.penalty = program::penalty_of(o.penalty);
   scene.inertia = !o.no_inertia;
   scene.regularises_pressure = !o.no_pressure_regularisation;
   for (const flow::Open open : {flow::Open::no, flow::Open::viscous, flow::Open::all})
@@ -198,12 +197,7 @@ int main(int argc, char** argv) {
                "No eq. (16): where the pressure is negative there is no friction at all");
   io::add_text(app, "--friction", o.friction,
                "Friction law mu_s,delta_mu,I0 [each 0.001 ... 10; default 0.4,0.25,0.3]");
-  io::add_choice(app, "--penalty", o.penalty,
-                 "Iterated (none is left in the result), or the paper's plain one",
-                 {"iterated", "plain"});
-  io::add_real(app, "--lambda-p", o.lambda_p,
-               "Penalty; default 1e-4 over the viscosity (iterated), 1e-8 (plain)", 1e-14, 1)
-      ->default_str("");
+  program::add_penalty(app, o.penalty);
   app.add_flag("--no-inertia", o.no_inertia, "Leave out the advective term");
   io::add_choice(app, "--continuation", o.continuation, "How paths are followed",
                  {"primal-dual", "arclength", "natural"});

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "common/program/grid.hpp"
+#include "common/program/penalty_options.hpp"
 #include "common/program/summary.hpp"
 
 namespace talus::twod {
@@ -118,19 +119,19 @@ std::string name_of_outflow(flow::Open open) {
 }
 
 nlohmann::json as_json(const Cylinder& scene) {
-  return {{"around", scene.mesh.around},
-          {"first_layer", scene.mesh.first_layer},
-          {"domain", scene.mesh.full ? "full" : "half"},
-          {"outlet", scene.mesh.outlet},
-          {"outflow", name_of_outflow(scene.open_outlet)},
-          {"regularisation", rheology::name_of(scene.regularisation)},
-          {"lambda_r", scene.lambda_r},
-          {"pressure_floor", scene.pressure_floor},
-          {"regularises_pressure", scene.regularises_pressure},
-          {"penalty", scene.penalty.kind == flow::Penalty::plain ? "plain" : "iterated"},
-          {"lambda_p", scene.penalty.lambda_p},
-          {"inertia", scene.inertia},
-          {"friction", program::as_json(scene.law)}};
+  nlohmann::json all = {{"around", scene.mesh.around},
+                        {"first_layer", scene.mesh.first_layer},
+                        {"domain", scene.mesh.full ? "full" : "half"},
+                        {"outlet", scene.mesh.outlet},
+                        {"outflow", name_of_outflow(scene.open_outlet)},
+                        {"regularisation", rheology::name_of(scene.regularisation)},
+                        {"lambda_r", scene.lambda_r},
+                        {"pressure_floor", scene.pressure_floor},
+                        {"regularises_pressure", scene.regularises_pressure},
+                        {"inertia", scene.inertia},
+                        {"friction", program::as_json(scene.law)}};
+  all.update(program::as_json(scene.penalty));
+  return all;
 }
 
 io::Table sweep_table(const std::vector<CylinderMeasures>& sweep,

@@ -1,7 +1,5 @@
 // Rungs of the ladder: chute and inclined plane on a line, in the plane, in space.
-#include "common/solve/continuation.hpp"
-#include "common/solve/stopwatch.hpp"
-#include "threed/unidirectional.hpp"
+#include "threed/unidirectional_solve.hpp"
 #include "verification/ladder.hpp"
 #include "verification/methods.hpp"
 
@@ -12,32 +10,12 @@ namespace {
 // under Bagnold's free surface.
 constexpr double tolerance = 1e-14;
 
-oned::Solution on_a_line(const oned::ShearScene& scene, const std::vector<double>& across,
-                         const rheology::Rheology& rheology) {
-  oned::SolveOptions options;
+threed::UnidirectionalOptions options_of(const rheology::Rheology& rheology) {
+  threed::UnidirectionalOptions options;
   options.regularisation = rheology.regularisation;
   options.lambda_r = rheology.lambda_r;
   options.newton.tolerance = tolerance;
-  return oned::solve(scene, across, options);
-}
-
-// From rest in full steps: there is no energy to search along, and a search along the norm of the
-// residual gives up in plugs where full steps arrive. If they fail, continuation in λr, searching.
-template <int Dim>
-solve::ContinuationSummary solve_from_rest(flow::DenseFlow<Dim>& problem,
-                                           solve::CompensatedVector& state) {
-  const solve::NewtonOptions full_steps{.tolerance = tolerance,
-                                        .line_search = solve::LineSearch::none};
-  const solve::CompensatedVector rest = state;
-  solve::ContinuationSummary direct{solve::newton(problem, state, full_steps), {}};
-  if (solve::is_success(direct.newton.end)) return direct;
-  state = rest;
-  solve::NewtonOptions searching = full_steps;
-  searching.line_search = solve::LineSearch::residual_norm;
-  auto summary = solve::newton_along_path(problem, state, searching);
-  summary.path.insert(summary.path.begin(),
-                      {problem.rheology().lambda_r, direct.newton.end, direct.newton.iterations()});
-  return summary;
+  return options;
 }
 
 // `driven` is the richer one's scene.
@@ -45,7 +23,8 @@ template <int Dim>
 RungCase climb(const oned::ShearScene& scene, const oned::ShearScene& driven,
                const oned::MeshOptions& mesh, const rheology::Rheology& rheology) {
   const auto across = oned::boundaries(scene, mesh);
-  const auto line = on_a_line(scene, across, rheology);
+  const auto options = options_of(rheology);
+  const auto line = oned::solve(scene, across, options);
   RungCase rung{rheology::name_of(rheology.regularisation) + ", λr = " +
                     short_power(rheology.lambda_r) + (mesh.grading > 1 ? ", graded" : ", uniform"),
                 {},
@@ -60,19 +39,15 @@ RungCase climb(const oned::ShearScene& scene, const oned::ShearScene& driven,
                  line.seconds,
                  3 * 2 * sizeof(double) * static_cast<double>(line.velocity.size())};
 
-  const solve::Stopwatch watch;
-  const auto space = threed::space_of<Dim>(scene, across, {.along = Dim == 2 ? 2 : 1});
-  flow::DenseFlow<Dim> problem(space, rheology, threed::load_of<Dim>(driven));
-  auto state = space.start();
-  const auto solved = solve_from_rest(problem, state);
-  rung.richer = {solved.newton.end,
-                 solved.total_iterations(),
-                 !solved.path.empty(),
-                 space.size(),
-                 problem.system().unknowns(),
-                 watch.seconds(),
-                 sizeof(double) * problem.system().factor_entries()};
-  rung.apart = threed::departure(scene, space, state, line.velocity);
+  const auto solved = threed::solve_unidirectional<Dim>(driven, across, options);
+  rung.richer = {solved.line.end,
+                 solved.line.iterations(),
+                 !solved.line.newton.path.empty(),
+                 solved.unknowns,
+                 solved.condensed,
+                 solved.line.seconds,
+                 sizeof(double) * solved.factor_entries};
+  rung.apart = threed::departure(scene, *solved.space, solved.state, line.velocity);
   return rung;
 }
 

@@ -1,8 +1,7 @@
 // The paper's one-dimensional scenes as it ran them: on H27 elements, 1 x 1 x N.
 #include <cmath>
 
-#include "common/solve/stopwatch.hpp"
-#include "threed/unidirectional.hpp"
+#include "threed/unidirectional_solve.hpp"
 #include "verification/fit.hpp"
 #include "verification/paper_parts.hpp"
 
@@ -10,14 +9,12 @@ namespace talus::verification {
 namespace {
 
 struct SpaceSolution {
-  solve::NewtonSummary newton;
-  oned::Solution line;  // what is left of it: the velocities across, the space they live in
-  flow::Departure departure = {};
+  oned::Solution line;  // what is left of it: a line across
+  flow::Departure departure;
   double rms = 0;  // the paper's norm over all nodes
-  double seconds = 0;
   Eigen::Index velocities = 0;
 
-  double milliseconds() const { return 1e3 * seconds / std::max(1, newton.iterations()); }
+  double milliseconds() const { return 1e3 * line.seconds / std::max(1, line.iterations()); }
 };
 
 double paper_rms(const flow::DenseSpace<3>& space, const solve::CompensatedVector& state,
@@ -33,31 +30,27 @@ double paper_rms(const flow::DenseSpace<3>& space, const solve::CompensatedVecto
   return std::sqrt(squares) / static_cast<double>(nodes.size());
 }
 
-// From rest with eq. (12). As the paper: its plain penalty, the iterate in double, full steps.
-// Ours: the penalty iterated, the iterate compensated; full steps too, for in a plug a search along
-// the norm of the residual gives up where they arrive.
+// From rest with eq. (12), at λr or not at all. As the paper: its plain penalty, the iterate in
+// double, full steps. Ours: the penalty iterated, the iterate compensated; full steps too.
 SpaceSolution solve_in_space(const oned::ShearScene& scene, const oned::Solution& reference,
                              double lambda_r, int elements, bool as_the_paper) {
-  const solve::Stopwatch watch;
-  const auto across = oned::boundaries(scene, {.elements = elements});
-  const auto space = threed::space_of<3>(scene, across);
-  flow::DenseFlow<3> problem(
-      space, {scene.law(), rheology::ChauchatMedale{}, lambda_r}, threed::load_of<3>(scene),
-      as_the_paper ? flow::PenaltyOptions{flow::Penalty::plain, 1e-6} : flow::PenaltyOptions{});
-  auto state = space.start(as_the_paper ? solve::Precision::plain : solve::Precision::compensated);
-  SpaceSolution found{solve::newton(problem, state, {.line_search = solve::LineSearch::none}),
-                      {{}, oned::space_of(scene, across)}};
-  found.seconds = watch.seconds();
-  found.line.velocity = threed::line_across(space, state, reference.velocity.size());
-  found.departure = threed::departure(scene, space, state, reference.velocity);
-  found.rms = paper_rms(space, state, scene);
-  found.velocities = space.velocity_count();
-  return found;
+  threed::UnidirectionalOptions options;
+  options.lambda_r = lambda_r;
+  options.continuation = flow::Continuation::never;
+  if (as_the_paper) {
+    options.penalty = {flow::Penalty::plain, 1e-6};
+    options.precision = solve::Precision::plain;
+  }
+  auto found = threed::solve_unidirectional<3>(
+      scene, oned::boundaries(scene, {.elements = elements}), options);
+  return {std::move(found.line),
+          threed::departure(scene, *found.space, found.state, reference.velocity),
+          paper_rms(*found.space, found.state, scene), found.space->velocity_count()};
 }
 
-std::string ending(const solve::NewtonSummary& newton) {
-  return std::to_string(newton.iterations()) +
-         (newton.end == solve::End::converged ? "" : ", " + solve::name_of(newton.end));
+std::string ending(const oned::Solution& solved) {
+  return std::to_string(solved.iterations()) +
+         (solved.end == solve::End::converged ? "" : ", " + solve::name_of(solved.end));
 }
 
 // A scene on the six meshes, beside itself on a line.
@@ -86,20 +79,19 @@ Comparison compare(const oned::ShearScene& scene, double lambda_r, const std::st
     const auto theirs = solve_in_space(scene, line, lambda_r, elements, true);
     const oned::Errors error = oned::errors(ours.line, scene);
     for (io::Curve* curve : {&all.rms, &all.nodal, &all.l2}) curve->x.push_back(1.0 / elements);
-    all.rms.y.push_back(if_success(ours.newton.end, ours.rms));
-    all.nodal.y.push_back(if_success(ours.newton.end, error.nodal_max));
-    all.l2.y.push_back(if_success(ours.newton.end, error.l2));
+    all.rms.y.push_back(if_success(ours.line.end, ours.rms));
+    all.nodal.y.push_back(if_success(ours.line.end, error.nodal_max));
+    all.l2.y.push_back(if_success(ours.line.end, error.l2));
     const double on_a_line = 1e3 * line.seconds / line.iterations();
     all.table.rows.push_back({"1x1x" + std::to_string(elements), std::to_string(ours.velocities),
-                              of_the_paper[i], std::to_string(line.iterations()),
-                              ending(ours.newton), ending(theirs.newton),
-                              io::rounded(ours.departure.velocity, 2), io::rounded(on_a_line, 2),
-                              io::rounded(ours.milliseconds(), 2)});
+                              of_the_paper[i], std::to_string(line.iterations()), ending(ours.line),
+                              ending(theirs.line), io::rounded(ours.departure.velocity, 2),
+                              io::rounded(on_a_line, 2), io::rounded(ours.milliseconds(), 2)});
     for (const auto* each : {&ours, &theirs}) {
-      all.most_iterations = solve::nan_max(all.most_iterations,
-                                           if_success(each->newton.end, each->newton.iterations()));
+      all.most_iterations =
+          solve::nan_max(all.most_iterations, if_success(each->line.end, each->line.iterations()));
       all.farthest =
-          solve::nan_max(all.farthest, if_success(each->newton.end, each->departure.velocity));
+          solve::nan_max(all.farthest, if_success(each->line.end, each->departure.velocity));
     }
     all.milliseconds[0] = on_a_line;
     all.milliseconds[1] = ours.milliseconds();

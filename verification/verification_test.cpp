@@ -113,7 +113,8 @@ BOOST_AUTO_TEST_CASE(a_solve_that_fails_leaves_no_number_that_a_check_lets_pass)
   method.options.newton.max_iterations = 1;
   const auto failed = verification::solve_or_nan(scene, line, method.options);
   for (const auto& error : {oned::errors(failed, scene), oned::distance(found, failed)})
-    for (const double each : {error.l2, error.max, error.nodal_max, error.paper_rms})
+    for (const double each : {error.l2, error.max, error.nodal_max, error.paper_rms,
+                              error.shear_rate.l2, error.stress.max})
       BOOST_TEST(std::isnan(each));
   BOOST_TEST(std::isnan(verification::counted_iterations(failed)));
   BOOST_TEST(std::isnan(oned::velocity_at(failed, 0)));

@@ -15,6 +15,26 @@ void add_regularisation(CLI::App& app, std::string& name) {
                  "Viscosity, eq. (9)-(12), or a control law without yield stress", names);
 }
 
+void add_friction(CLI::App& app, std::string& friction) {
+  io::add_text(app, "--friction", friction,
+               "Friction law mu_s,delta_mu,I0 [each 0.001 ... 10; default 0.383,0.26,0.279]");
+}
+
+void add_tangent(CLI::App& app, std::string& tangent) {
+  io::add_choice(
+      app, "--tangent", tangent,
+      "Derivative of the viscosity in the tangent: in primal-dual form, plain, dropped, or "
+      "broken",
+      {"primal-dual", "full", "frozen", "wrong-sign"});
+}
+
+flow::TangentTerm tangent_named(const std::string& tangent) {
+  return tangent == "primal-dual" ? flow::TangentTerm::primal_dual
+         : tangent == "full"      ? flow::TangentTerm::full
+         : tangent == "frozen"    ? flow::TangentTerm::frozen
+                                  : flow::TangentTerm::wrong_sign;
+}
+
 void add_threads(CLI::App& app, int& threads) {
   constexpr int most = 256;
   threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, most);
@@ -29,17 +49,12 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
   add_regularisation(app, options.regularisation);
   io::add_real(app, "--lambda-r", options.lambda_r, "Regularisation parameter, in sqrt(g/d)", 1e-15,
                1);
-  io::add_text(app, "--friction", options.friction,
-               "Friction law mu_s,delta_mu,I0 [each 0.001 ... 10; default 0.383,0.26,0.279]");
+  add_friction(app, options.friction);
   io::add_choice(app, "--precision", options.precision,
                  "Of Newton's iterate: double, or double with its rounding kept",
                  {"compensated", "plain"});
   io::add_choice(app, "--line-search", options.line_search, "Of Newton", {"energy-slope", "none"});
-  io::add_choice(
-      app, "--tangent", options.tangent,
-      "Derivative of the viscosity in the tangent: in primal-dual form, plain, dropped, or "
-      "broken",
-      {"primal-dual", "full", "frozen", "wrong-sign"});
+  add_tangent(app, options.tangent);
   io::add_real(
       app, "--tolerance", options.tolerance,
       "Of Newton's answer: relative residual and distance to the solution (default 1e-12); "
@@ -63,10 +78,7 @@ flow::ShearOptions shear_options(const MethodOptions& options, flow::ShearOption
       options.precision == "plain" ? solve::Precision::plain : solve::Precision::compensated;
   result.newton.line_search =
       options.line_search == "none" ? solve::LineSearch::none : solve::LineSearch::energy_slope;
-  result.tangent_term = options.tangent == "primal-dual" ? flow::TangentTerm::primal_dual
-                        : options.tangent == "full"      ? flow::TangentTerm::full
-                        : options.tangent == "frozen"    ? flow::TangentTerm::frozen
-                                                         : flow::TangentTerm::wrong_sign;
+  result.tangent_term = tangent_named(options.tangent);
   if (options.tolerance > 0)
     result.newton.tolerance = result.newton.distance = result.interior_point.tolerance =
         options.tolerance;

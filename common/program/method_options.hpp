@@ -27,6 +27,13 @@ void add_method_options(CLI::App& app, MethodOptions& options);
 /// Adds --regularisation: every name of the registry.
 void add_regularisation(CLI::App& app, std::string& name);
 
+/// Adds --friction, for `friction_law`.
+void add_friction(CLI::App& app, std::string& friction);
+
+/// Adds --tangent; what its value means.
+void add_tangent(CLI::App& app, std::string& tangent);
+flow::TangentTerm tangent_named(const std::string& tangent);
+
 /// Adds --threads, with all of the machine as its default; for solve::set_threads.
 void add_threads(CLI::App& app, int& threads);
 

@@ -1,4 +1,5 @@
-// Flow in a vertical chute between rough walls: a plug in the middle, shear at the walls.
+// Flow in a vertical chute between rough walls: a plug in the middle, shear at the walls. On a
+// line, or in velocity and pressure, in the plane or in space.
 //
 // Sample runs (the test suite runs them):
 //   chute
@@ -6,21 +7,24 @@
 //   chute --method interior-point --elements 160
 //   chute --regularisation papanastasiou --elements 10 --check-jacobian
 //   chute --pressure 40
+//   chute --model plane --elements 17 --align --lambda-r 1e-6 --plot
+//   chute --model space --elements 10 --penalty plain --precision plain --threads 2
+//   chute --model space --elements 3 --check-jacobian
 #include "common/io/options.hpp"
 #include "oned/chute.hpp"
-#include "oned/program.hpp"
+#include "threed/unidirectional_program.hpp"
 
 using namespace talus;
 
 int main(int argc, char** argv) {
-  CLI::App app{"Dense granular flow in a vertical chute, 1D quadratic elements on half the width",
+  CLI::App app{"Dense granular flow in a vertical chute, quadratic elements on half the width",
                "chute"};
   oned::Chute chute;
-  oned::ProgramOptions options;
+  threed::UnidirectionalProgram options;
   options.method.lambda_r = scene_of(chute).lambda_r;
   io::add_real(app, "--pressure", chute.pressure, "Confining pressure p, in φρgd", 1e-3, 1e6);
   io::add_real(app, "--width", chute.width, "Width b, in d", 1e-3, 1e6);
-  oned::add_options(app, options, "chute");
+  threed::add_options(app, options, "chute");
   const auto align = [&](const CLI::results_t& fraction) {
     options.mesh.align =
         fraction[0].empty() ? 0 : io::real_in_range("--align", fraction[0], 0, 0.99);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The programs from outside: sample runs, wrong input, limits of existence.
-# usage: cli_test.sh CHUTE BAGNOLD SOURCE_FOLDER
+# Chute and inclined plane from outside: sample runs, models, wrong input, limits of existence.
+# usage: unidirectional_cli_test.sh CHUTE BAGNOLD SOURCE_FOLDER
 set -u
 chute=$1 bagnold=$2 source_folder=$3
 # shellcheck source=common/testing/cli_checks.sh
@@ -10,7 +10,46 @@ chute=$1 bagnold=$2 source_folder=$3
 check_samples "$chute" "$source_folder/chute_main.cpp" profile
 check_samples "$bagnold" "$source_folder/bagnold_main.cpp" profile
 
-# 2. Wrong input.
+# result PROGRAM KEY: of results in its last summary.
+result() {
+  sed -n '/^  "results": {/,/^  }/s/^    "'"$2"'": \([^,]*\),*$/\1/p' \
+    "$work/run/results/$1/summary.json"
+}
+
+is_within() {  # BOUND A B: |A - B| <= BOUND |B|
+  awk -v bound="$1" -v a="$2" -v b="$3" \
+    'BEGIN { exit !(a != "" && b != "" && (a - b)^2 <= (bound * b)^2) }' ||
+    { echo "'$2' and '$3' are further apart than $1"; return 1; }
+}
+
+# 2. The richer models find the flow of the line, and say what they are.
+measured="max_velocity error_l2 error_nodal_max error_shear_rate_l2 error_shear_rate_max error_stress_max"
+for scene in chute bagnold; do
+  program=${!scene}
+  check succeeds $scene "$program" --elements 8 --lambda-r 1e-4
+  check expect_text run/results/$scene/summary.json '"model": "line"' '"unknowns": 17'
+  check_fails expect_text run/results/$scene/summary.json cross_flow condensed_unknowns
+  declare -A on_a_line=()
+  for key in $measured; do on_a_line[$key]=$(result $scene $key); done
+  for model in plane space; do
+    check succeeds $scene "$program" --elements 8 --lambda-r 1e-4 --model $model
+    check expect_text run/results/$scene/summary.json "\"model\": \"$model\"" condensed_unknowns \
+      '"penalty": "iterated"'
+    check expect_text stdout "a line gives the same flow" "--model line"
+    for key in $measured; do check is_within 1e-7 "$(result $scene $key)" "${on_a_line[$key]}"; done
+    for key in cross_flow dynamic_pressure change_along; do
+      check is_within 1e-9 "$(awk -v x="$(result $scene $key)" 'BEGIN { print 1 + x }')" 1
+    done
+    check leaves $scene summary.json profile.csv newton.csv
+  done
+  # As the paper solves it.
+  check succeeds $scene "$program" --model space --elements 5 --lambda-r 1e-6 --penalty plain \
+    --lambda-p 1e-6 --precision plain --no-continuation --max-iterations 60
+  check expect_text run/results/$scene/summary.json '"penalty": "plain"' '"precision": "plain"'
+done
+check_fails is_within 1e-7 "$(result bagnold error_l2)" "${on_a_line[error_l2]}"
+
+# 3. Wrong input.
 for program in "$chute" "$bagnold"; do
   for value in 0 -3 abc 1e9 2.5 ''; do
     check refuses --elements "'$value'" "1 ... 100000" -- "$program" --elements "$value"
@@ -21,6 +60,7 @@ for program in "$chute" "$bagnold"; do
   check refuses --grading "'0.5'" "1 ... 10" -- "$program" --grading 0.5
   check refuses --grading "'10'" "1 ... 7.00" -- "$program" --elements 100 --grading 10
   check refuses --regularisation "'foo'" papanastasiou -- "$program" --regularisation foo
+  check refuses --model "'sectn'" "line, plane, space" -- "$program" --model sectn
   check refuses --method "'foo'" interior-point -- "$program" --method foo
   check refuses --friction "'1,2'" "0.001 ... 10" -- "$program" --friction 1,2
   check refuses --friction "'x'" "0.001 ... 10" -- "$program" --friction 1,2,x
@@ -35,6 +75,24 @@ check refuses --pressure "'-1'" -- "$chute" --pressure -1
 check refuses --align "'2'" 0.99 -- "$chute" --align 2
 check refuses --align -- "$chute" --align --pressure 40
 check refuses --elements "'1'" -- "$chute" --align --elements 1
+for program in "$chute" "$bagnold"; do
+  for model in plane space; do
+    check refuses "--method: 'interior-point'" "--model $model" "only newton" -- \
+      "$program" --model $model --method interior-point
+    check refuses "--line-search: not used by --model $model" -- \
+      "$program" --model $model --line-search none
+    check refuses "--tolerance: not used by --check-jacobian" -- \
+      "$program" --model $model --elements 2 --check-jacobian --tolerance 1e-8
+  done
+  while read -r option value; do
+    check refuses "$option: not used by --model line; add --model plane" -- "$program" $option $value
+  done <<'END'
+--penalty plain
+--lambda-p 1e-6
+--threads 2
+END
+  check refuses --lambda-p "'0'" 1e-14 -- "$program" --model plane --lambda-p 0
+done
 for program in "$chute" "$bagnold"; do
   # Options that the method, or a check instead of a solve, has no use for.
   while read -r option value; do
@@ -84,7 +142,7 @@ done
 check refuses --angle "'23'" "radians (or 23deg)" -- "$bagnold" --angle 23
 check refuses --align "''" -- "$chute" --align ''
 
-# 3. Numbers are decimal, angles in degrees where they say so.
+# 4. Numbers are decimal, angles in degrees where they say so.
 for value in 0100 100; do
   check succeeds chute "$chute" --elements $value
   check expect_text run/results/chute/summary.json '"elements": 100,'
@@ -93,7 +151,7 @@ check succeeds bagnold "$bagnold" --angle 23deg --elements 08
 check expect_text run/results/bagnold/summary.json '"angle": 0.40142572795869' '"elements": 8,'
 check_fails expect_text run/results/bagnold/summary.json '"angle": 0.4,'
 
-# 4. A folder holds one run and nothing older.
+# 5. A folder holds one run and nothing older.
 pictures="profile.dat profile.gp profile.png profile.svg"
 run "$chute" --elements 5 --plot
 touch "$work/run/results/chute/notes.txt" "$work/run/results/chute/.profile.png.part"
@@ -126,7 +184,7 @@ check_fails says_when_stdout_is_full "$chute" --elements 0
 run bash -c '"$0" --elements 5 >&-' "$chute"  # closed
 check expect_code 1
 
-# 5. What became of gnuplot is told; an older picture does not stand in.
+# 6. What became of gnuplot is told; an older picture does not stand in.
 run "$chute" --elements 5 --plot
 with_gnuplot 'echo no terminal >&2; exit 1' "$chute" --elements 5 --plot
 check expect_code 0
@@ -141,18 +199,38 @@ if command -v gnuplot >/dev/null; then
   check leaves chute summary.json profile.csv newton.csv
 fi
 
-# 6. The limits of existence.
+# 7. The limits of existence.
 check has_no_steady_flow 0.571439 "$bagnold" --angle 0.6
 check has_no_steady_flow 21.7729 "$chute" --pressure 20
 check has_no_steady_flow 21.7729 "$chute" --pressure 20 --method interior-point
+for model in plane space; do
+  check has_no_steady_flow 0.571439 "$bagnold" --angle 0.6 --model $model
+  check has_no_steady_flow 21.7729 "$chute" --pressure 20 --model $model
+  check is_at_rest bagnold "$bagnold" --angle 0.3 --model $model --elements 5
+  check is_at_rest chute "$chute" --pressure 40 --model $model --elements 5
+done
 check is_at_rest bagnold "$bagnold" --angle 0.3
 check is_at_rest chute "$chute" --pressure 40
 check is_at_rest chute "$chute" --pressure 40 --method interior-point
 
-# 7. A solve that does not succeed says so; so does a Jacobian check.
+# 8. A solve that does not succeed says so; so does a Jacobian check.
 run "$chute" --max-iterations 1 --no-continuation
 check expect_code 1
 check expect_text stderr stagnated
+for model in plane space; do
+  run "$chute" --model $model --elements 5 --max-iterations 1 --no-continuation
+  check expect_code 1
+  check expect_text stderr stagnated "--model line"
+  check expect_text run/results/chute/summary.json '"results": {}' "\"model\": \"$model\""
+  check leaves chute summary.json newton.csv
+  for tangent in wrong-sign frozen; do
+    run "$chute" --model $model --check-jacobian --tangent $tangent --elements 2
+    check expect_code 1
+    check expect_text stdout WRONG "is NOT the derivative"
+  done
+done
+check refuses --elements "'100000'" GB available "would fit" -- \
+  bash -c 'ulimit -v 1200000; exec "$@"' bash "$chute" --model space --elements 100000
 # What is left then is of one problem, and no result.
 run "$chute" --tangent frozen --elements 10 --max-iterations 60
 check expect_code 1
@@ -173,7 +251,7 @@ check succeeds chute "$chute" --check-jacobian
 check succeeds chute "$chute" --check-jacobian --tangent primal-dual --pressure 20 --lambda-r 1e-10
 check succeeds bagnold "$bagnold" --check-jacobian --grading 2
 
-# 8. Negative controls: each check notices what it is there for.
+# 9. Negative controls: each check notices what it is there for.
 check_fails refuses --elements -- "$chute" --elements 5
 check_fails refuses --nonsense -- "$chute" --elements 0
 check_fails refuses no_steady_state -- "$chute" --pressure 20

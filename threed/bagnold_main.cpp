@@ -1,4 +1,5 @@
-// Flow down a rough inclined plane: Bagnold's profile, singular at the free surface.
+// Flow down a rough inclined plane: Bagnold's profile, singular at the free surface. On
+// a line, or in velocity and pressure, in the plane or in space.
 //
 // Sample runs (the test suite runs them):
 //   bagnold
@@ -6,20 +7,23 @@
 //   bagnold --method interior-point --elements 160 --grading 3
 //   bagnold --regularisation simple --elements 10 --check-jacobian
 //   bagnold --angle 0.3
+//   bagnold --model plane --elements 20 --grading 2 --tangent primal-dual
+//   bagnold --model space --elements 10 --lambda-r 1e-6 --tolerance 1e-14 --plot
+//   bagnold --model plane --elements 5 --check-jacobian
 #include "common/io/options.hpp"
 #include "oned/bagnold.hpp"
-#include "oned/program.hpp"
+#include "threed/unidirectional_program.hpp"
 
 using namespace talus;
 
 int main(int argc, char** argv) {
-  CLI::App app{"Dense granular flow down an inclined plane, 1D quadratic elements", "bagnold"};
+  CLI::App app{"Dense granular flow down an inclined plane, quadratic elements", "bagnold"};
   oned::Bagnold bagnold;
-  oned::ProgramOptions options;
+  threed::UnidirectionalProgram options;
   options.method.lambda_r = scene_of(bagnold).lambda_r;
   io::add_angle(app, "--angle", bagnold.angle, "Inclination α", 1e-3, 1.57);
   io::add_real(app, "--height", bagnold.height, "Depth of the layer H, in d", 1e-3, 1e6);
-  oned::add_options(app, options, "bagnold");
+  threed::add_options(app, options, "bagnold");
   return io::run_program(app, argc, argv, [&] {
     bagnold.law = friction_law(options.method);
     bagnold.regularisation = limiting_law(options.method);

@@ -1,28 +1,35 @@
 // The programs `chute` and `bagnold`: one main each for the scene's own options, and this for the
-// rest.
+// rest, in all three models.
 #pragma once
 
 #include <CLI/CLI.hpp>
 
 #include "common/program/method_options.hpp"
+#include "common/program/penalty_options.hpp"
 #include "oned/report.hpp"
+#include "threed/unidirectional_solve.hpp"
 
-namespace talus::oned {
+namespace talus::threed {
 
 /// The options both programs share.
-struct ProgramOptions {
-  MeshOptions mesh;
+struct UnidirectionalProgram {
+  std::string model = "line";
+  oned::MeshOptions mesh;
   program::MethodOptions method;
+  program::PenaltyOptions penalty;
   std::string output;
+  int threads = 1;
   bool plot = false, check_jacobian = false;
+
+  bool is_line() const { return model == "line"; }
 };
 
 /// Adds the shared options; set `options.method.lambda_r` to the scene's default first.
-void add_options(CLI::App& app, ProgramOptions& options, const std::string& scene);
+void add_options(CLI::App& app, UnidirectionalProgram& options, const std::string& scene);
 
 /// Limits, mesh, solve, measure, write. `parameters` are the scene's own, for summary.json.
 /// Returns the exit code: 0, or 1 where the solve or the Jacobian check does not succeed.
-int run(const CLI::App& app, const ShearScene& scene, const ProgramOptions& options,
+int run(const CLI::App& app, const oned::ShearScene& scene, const UnidirectionalProgram& options,
         const nlohmann::json& parameters);
 
-}  // namespace talus::oned
+}  // namespace talus::threed

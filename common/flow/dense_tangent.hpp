@@ -1,0 +1,21 @@
+// The choices of a tangent, named as for unidirectional flow, in velocity and pressure.
+#pragma once
+
+#include "common/flow/dense_flow.hpp"
+#include "common/flow/shear_flow.hpp"
+
+namespace talus::flow {
+
+/// From now on Newton takes steps with this tangent; a stress that is to be carried starts anew,
+/// from that of the first step.
+template <int Dim>
+void set_tangent(DenseFlow<Dim>& flow, TangentTerm term) {
+  const double factor = term == TangentTerm::frozen ? 0 : term == TangentTerm::wrong_sign ? -1 : 1;
+  flow.set_tangent_factors({.shear_rate = factor, .pressure = factor});
+  if (term == TangentTerm::primal_dual)
+    flow.carry_stress();
+  else
+    flow.stop_carrying_stress();
+}
+
+}  // namespace talus::flow

@@ -1,0 +1,31 @@
+#include "common/program/penalty_options.hpp"
+
+#include "common/io/options.hpp"
+#include "common/io/table.hpp"
+
+namespace talus::program {
+
+void add_penalty(CLI::App& app, PenaltyOptions& options) {
+  io::add_choice(app, "--penalty", options.kind,
+                 "Iterated (none is left in the result), or the paper's plain one",
+                 {"iterated", "plain"});
+  io::add_real(app, "--lambda-p", options.lambda_p,
+               "Penalty; default 1e-4 over the viscosity (iterated), " +
+                   io::rounded(options.plain, 2) + " (plain)",
+               1e-14, 1)
+      ->default_str("");
+}
+
+flow::PenaltyOptions penalty_of(const PenaltyOptions& options) {
+  flow::PenaltyOptions penalty;
+  if (options.kind == "plain") penalty = {flow::Penalty::plain, options.plain};
+  if (options.lambda_p > 0) penalty.lambda_p = options.lambda_p;
+  return penalty;
+}
+
+nlohmann::json as_json(const flow::PenaltyOptions& penalty) {
+  return {{"penalty", penalty.kind == flow::Penalty::plain ? "plain" : "iterated"},
+          {"lambda_p", penalty.lambda_p}};
+}
+
+}  // namespace talus::program
