@@ -42,7 +42,8 @@ struct Cube {
   flow::DenseSpace<3> space;
 
   Cube(int elements, const ManufacturedCase<3>& manufactured)
-      : n(elements), space(mesh(elements), exact_conditions(manufactured, mesh(elements), "top")) {}
+      : n(elements),
+        space(mesh(elements), threed::exact_conditions(manufactured, mesh(elements), "top")) {}
   static flow::Mesh<3> mesh(int n) {
     const auto line = fem::graded_line(0, 1, n, 1);
     return flow::box_mesh(line, line, line);

@@ -66,8 +66,9 @@ void judge_jacobian(Trial& trial, const Line& line, const Outcome& outcome) {
 }  // namespace
 
 void try_command_line(Trial& trial) {
-  const char* const names[] = {"chute", "chute", "bagnold",  "bagnold",  "heap",
-                               "heap",  "heap",  "cylinder", "cylinder", "verify"};
+  const char* const names[] = {"chute",    "chute",        "bagnold",      "bagnold",
+                               "heap",     "heap",         "heap",         "cylinder",
+                               "cylinder", "manufactured", "manufactured", "verify"};
   const Program& program = trial.programs.named(trial.random.one_of(names));
   const Line line = draw_line(program, trial.random);
   const fs::path results =

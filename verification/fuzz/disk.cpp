@@ -21,8 +21,10 @@ Run draw_run(Random& random) {
       {"chute", {"--elements", "10", "--plot"}},
       {"bagnold", {"--method", "interior-point"}},
       {"heap", {"--elements", "4x5", "--plot"}},
-      {"heap", {"--model", "3d", "--elements", "1x2x3"}},
+      {"heap", {"--model", "space", "--elements", "1x2x3"}},
       {"cylinder", {"--around", "16", "--loading", "0.01", "0.02", "--lambda-r", "1e-2"}},
+      {"chute", {"--model", "plane", "--elements", "6", "--plot"}},
+      {"manufactured", {"--model", "space", "--elements", "2"}},
       {"chute", {"--pressure", "20"}}};
   return random.one_of(runs);
 }

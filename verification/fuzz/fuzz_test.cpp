@@ -34,7 +34,7 @@ class Broken {
     const std::string refusal = "echo 'not here: the help is all there is' >&2; exit 2";
     std::string name = (fs::temp_directory_path() / "talus_fuzz_test_XXXXXX").string();
     folder_ = mkdtemp(name.data());
-    for (const char* each : {"chute", "bagnold", "heap", "cylinder", "verify"}) {
+    for (const char* each : {"chute", "bagnold", "heap", "cylinder", "manufactured", "verify"}) {
       std::ofstream(folder_ / each)
           << "#!/bin/bash\nreal=" << (programs() / each).string() << "\nname=" << each
           << "\n[ \"${!#}\" = --help ] && exec $real --help\n"
@@ -141,8 +141,9 @@ BOOST_AUTO_TEST_CASE(a_word_is_told_from_a_number_that_is_none) {
 
 BOOST_AUTO_TEST_CASE(every_fault_of_a_command_line_is_told) {
   check_that_it_tells(
-      "commands", 24, "chute bagnold",
-      {{"case $# in 5) ulimit -St 1; while :; do :; done;; 3|4) kill -SEGV $$;; esac; exec $real "
+      "commands", 40, "chute bagnold",
+      {{"case $# in 5|6|7|8) ulimit -St 1; while :; do :; done;; 3|4) kill -SEGV $$;; esac; exec "
+        "$real "
         "\"$@\"",
         {"did not end", "crashed"}},
        {AFTER("[ $code = 0 ] && echo velocity nan; cd results/$name || exit $code;"

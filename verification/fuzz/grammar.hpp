@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,9 @@ enum class Form { flag, choice, whole, real, reals, text };
 struct Option {
   std::string name;  ///< "--elements"
   Form form = Form::flag;
-  double lower = 0, upper = 0;  ///< of whole, real, each of reals
-  std::string range = {};       ///< as printed: "1 ... 10", or the list of choices
+  double lower = 0, upper = 0;                            ///< of whole, real, each of reals
+  double most = std::numeric_limits<double>::infinity();  ///< beyond, a run would be long
+  std::string range = {};  ///< as printed: "1 ... 10", or the list of choices
   std::vector<std::string> choices = {};
   std::string standard = {};  ///< its default, "" if it is not told
   std::string help = {};      ///< what it is for

@@ -32,6 +32,7 @@ struct Small {
   const char *program, *unless, *option, *value;
 };
 constexpr Small small[] = {{"heap", "--elements", "--elements", "4x5"},
+                           {"manufactured", "--elements", "--elements", "3"},
                            {"cylinder", "--around", "--around", "16"},
                            {"cylinder", "--loading", "--loading", "0.02"},
                            {"cylinder", "--lambda-r", "--lambda-r", "1e-3"},
@@ -86,7 +87,7 @@ class Drawing {
         break;
       default:  // with more of them than it takes
         if ((option.form != Form::whole && option.form != Form::real) || has(option)) return;
-        const Value value = draw_value(option, program_, Standing::fair, is_3d_, random_);
+        const Value value = draw_value(option, program_, Standing::fair, model_, random_);
         if (random_.chance(0.5))
           add({option.name, value.text, "20", "40"}, Standing::wrong, {"20", "40"});
         else
@@ -103,7 +104,7 @@ class Drawing {
       if (value == nullptr)
         add({option});
       else
-        add({option, is_3d_ && program_.name == "heap" ? "1x2x3" : value});
+        add({option, model_ == "space" && program_.name == "heap" ? "1x2x3" : value});
     }
     random_.shuffle(pieces_);
     for (const Arguments& piece : pieces_)
@@ -131,8 +132,8 @@ class Drawing {
         if (option.name == name) line_.meant[key] = value;
       return add({option.name});
     }
-    const Value value = draw_value(option, program_, standing, is_3d_, random_);
-    if (option.name == "--model" && value.text == "3d") is_3d_ = true;
+    const Value value = draw_value(option, program_, standing, model_, random_);
+    if (option.name == "--model") model_ = value.text;
     if (option.name == "--output") line_.output = value.text;
     if (!value.meaning.is_null() && value.standing != Standing::wrong)
       line_.meant[key_of(option.name)] = value.meaning;
@@ -161,7 +162,7 @@ class Drawing {
   Random& random_;
   std::vector<const Option*> chosen_;
   std::vector<Arguments> pieces_;  // an option with its value, each
-  bool is_3d_ = false;
+  std::string model_;
   Line line_;
 };
 

@@ -6,7 +6,7 @@ namespace talus::fuzz {
 namespace {
 
 std::string draw_program(Random& random) {
-  const char* const names[] = {"chute", "bagnold", "heap", "cylinder"};
+  const char* const names[] = {"chute", "bagnold", "heap", "cylinder", "manufactured"};
   return random.one_of(names);
 }
 
@@ -69,13 +69,14 @@ void default_told_and_not_told(Trial& trial) {
 }
 
 void any_number_of_threads(Trial& trial) {
-  const Program& program = trial.programs.named("cylinder");
+  const char* const programs[] = {"cylinder", "manufactured"};
+  const Program& program = trial.programs.named(trial.random.one_of(programs));
   Line line = draw_fair_line(program, trial.random);
   while (line.has("--threads")) line = draw_fair_line(program, trial.random);
   std::erase_if(line.arguments,
                 [](const std::string& word) { return word.starts_with("--threads="); });
   const std::string n = std::to_string(trial.random.whole(2, 5));
-  expect_same(trial, "cylinder", line.arguments + Arguments{"--threads", "1"},
+  expect_same(trial, program.name, line.arguments + Arguments{"--threads", "1"},
               line.arguments + Arguments{"--threads", n});
 }
 

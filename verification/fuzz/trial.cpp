@@ -8,7 +8,7 @@ namespace fs = std::filesystem;
 
 Programs::Programs(const fs::path& folder, const fs::path& scratch, double seconds)
     : time_limit(seconds), scratch_(scratch) {
-  for (const char* name : {"chute", "bagnold", "heap", "cylinder", "verify"})
+  for (const char* name : {"chute", "bagnold", "heap", "cylinder", "manufactured", "verify"})
     programs_.push_back(read_program(fs::canonical(folder) / name));
 }
 
@@ -21,6 +21,7 @@ const Program& Programs::named(const std::string& name) const {
 Command Programs::earlier_run(const std::string& name) const {
   std::vector<std::string> arguments = {"--plot"};
   if (name == "heap") arguments = {"--plot", "--elements", "3x4"};
+  if (name == "manufactured") arguments = {"--elements", "4"};
   if (name == "cylinder")
     arguments = {"--plot", "--around", "16", "--loading", "0.01,0.02", "--lambda-r", "1e-2"};
   return {named(name).path, arguments, scratch_ / ("earlier_" + name)};

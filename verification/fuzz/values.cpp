@@ -14,17 +14,27 @@ namespace {
 using nlohmann::json;
 
 // What makes a run long stays small.
-double largest(const Option& option) {
-  if (option.form == Form::whole) {
-    const std::pair<const char*, double> caps[] = {{"--elements", 200},
-                                                   {"--around", 24},
-                                                   {"--threads", 4},
-                                                   {"--max-points", 12},
-                                                   {"--max-iterations", 500}};
-    for (const auto& [name, cap] : caps)
-      if (option.name == name) return std::min(option.upper, cap);
-  }
-  return option.upper;
+double most_of(const Option& option, const std::string& program, const std::string& model) {
+  struct Cap {
+    std::string option, program, model;  // empty: any
+    double most;
+  };
+  static const std::vector<Cap> caps = {{"--elements", "manufactured", "space", 3},
+                                        {"--elements", "manufactured", "", 9},
+                                        {"--elements", "", "plane", 20},
+                                        {"--elements", "", "space", 20},
+                                        {"--elements", "", "", 200},
+                                        {"--around", "", "", 24},
+                                        {"--threads", "", "", 4},
+                                        {"--max-points", "", "", 12},
+                                        {"--max-iterations", "", "", 500}};
+  const auto fits = [](const std::string& cap, const std::string& asked) {
+    return cap.empty() || cap == asked;
+  };
+  const auto cap = std::ranges::find_if(caps, [&](const Cap& each) {
+    return each.option == option.name && fits(each.program, program) && fits(each.model, model);
+  });
+  return cap == caps.end() ? option.upper : cap->most;
 }
 
 std::string printed(const char* format, double number) {
@@ -34,7 +44,7 @@ std::string printed(const char* format, double number) {
 }
 
 double number_inside(const Option& option, Random& random) {
-  const double lower = option.lower, upper = largest(option);
+  const double lower = option.lower, upper = std::min(option.upper, option.most);
   if (random.chance(0.15)) return random.chance(0.5) ? lower : upper;
   if (option.form == Form::whole) {
     const int number = random.whole(static_cast<int>(lower), static_cast<int>(upper));
@@ -152,13 +162,13 @@ Option whole(int lower, int upper) {
           .upper = static_cast<double>(upper)};
 }
 
-Value draw_mesh(bool is_3d, Standing standing, Random& random) {
-  const std::size_t count = is_3d ? 3 : 2;
+Value draw_mesh(bool is_space, Standing standing, Random& random) {
+  const std::size_t count = is_space ? 3 : 2;
   if (standing == Standing::wrong && random.chance(0.3)) {  // another number of numbers
     const char* const few[] = {"7", "7x", "x7", "7X10", "7*10", "7 x 10", "2x2x2x2", "x", "7×10"};
     return {random.one_of(few), standing};
   }
-  Value mesh = draw_row(whole(1, is_3d ? 4 : 11), count, "x", standing, random);
+  Value mesh = draw_row(whole(1, is_space ? 4 : 11), count, "x", standing, random);
   if (standing == Standing::wrong) return mesh;
   // Not all may be read as it stands: an element across is enough, two up are.
   return mesh;
@@ -194,8 +204,10 @@ Value draw_choice(const Option& option, Standing standing, Random& random) {
 
 }  // namespace
 
-Value draw_value(const Option& option, const Program& program, Standing standing, bool is_3d,
-                 Random& random) {
+Value draw_value(const Option& asked, const Program& program, Standing standing,
+                 const std::string& model, Random& random) {
+  Option option = asked;
+  if (option.form == Form::whole) option.most = most_of(option, program.name, model);
   if (option.name == "--output") {
     const char* const folders[] = {"out", "a b", "deep/er/still", "it's", "µ(I)", "out/", "./out"};
     return {random.one_of(folders)};
@@ -214,7 +226,7 @@ Value draw_value(const Option& option, const Program& program, Standing standing
       break;
   }
   // Text with a grammar of its own.
-  if (option.name == "--elements") return draw_mesh(is_3d, standing, random);
+  if (option.name == "--elements") return draw_mesh(model == "space", standing, random);
   if (option.name == "--sweep") return draw_sweep(*program.find("--loading"), standing, random);
   if (option.name == "--friction") {
     Option each = option;

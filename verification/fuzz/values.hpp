@@ -22,9 +22,10 @@ struct Value {
   nlohmann::json meaning = nullptr;  ///< as summary.json is to record it; null: it does not
 };
 
-/// What a number, a mesh, a folder ... may look like; `option` is not a flag.
-Value draw_value(const Option& option, const Program& program, Standing standing, bool is_3d,
-                 Random& random);
+/// What a number, a mesh, a folder ... may look like; `option` is not a flag. `model` is that of
+/// the line so far, empty where it has not said.
+Value draw_value(const Option& option, const Program& program, Standing standing,
+                 const std::string& model, Random& random);
 
 /// `option` with one mistake in its name.
 std::string misspelt(const std::string& option, const Program& program, Random& random);

@@ -1,0 +1,75 @@
+// Manufactured flows solved in velocity and pressure, in the plane and in space, on families of
+// meshes: a scene whose answer is known in every law.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "common/flow/manufactured.hpp"
+#include "common/flow/shear_flow.hpp"
+#include "common/solve/jacobian_check.hpp"
+
+namespace talus::threed {
+
+/// Meshes of n elements along an edge. The exact traction is prescribed on one boundary, so that
+/// the pressure is determined, and the exact velocity on all others.
+template <int Dim>
+struct MeshFamily {
+  std::string name;
+  std::function<flow::Mesh<Dim>(int n)> mesh;
+  std::string traction_boundary = "top";
+};
+
+/// The unit square or cube: uniform, stretched, or distorted at random on every level; in the plane
+/// a sector of an annulus too.
+template <int Dim>
+const std::vector<MeshFamily<Dim>>& mesh_families();
+
+/// A flow and what it is to solve.
+template <int Dim>
+struct ManufacturedCase {
+  flow::ManufacturedFlow<Dim> exact;
+  rheology::Regularisation regularisation;
+  double inertia = 0;
+  flow::PressureBasis pressure_basis = flow::PressureBasis::physical;
+  rheology::FrictionLaw law = {};
+
+  rheology::Rheology rheology() const { return {law, regularisation, exact.lambda_r}; }
+};
+
+/// The case must outlive them.
+template <int Dim>
+flow::BoundaryConditions<Dim> exact_conditions(const ManufacturedCase<Dim>& manufactured,
+                                               const flow::Mesh<Dim>& mesh,
+                                               const std::string& traction_boundary);
+
+struct ManufacturedOptions {
+  solve::NewtonOptions newton{.line_search = solve::LineSearch::residual_norm};
+  flow::PenaltyOptions penalty = {};
+  flow::TangentTerm tangent = flow::TangentTerm::full;
+};
+
+struct ManufacturedSolution {
+  solve::NewtonSummary newton;
+  flow::FlowErrors errors;  ///< NaN if the solve failed
+  int factorisations = 0;
+  Eigen::Index unknowns = 0, condensed = 0;
+  double factor_entries = 0;
+  double seconds = 0;  ///< CPU time, with set-up and errors
+};
+
+/// Solves by Newton, from the exact flow interpolated.
+template <int Dim>
+ManufacturedSolution solve_manufactured(const ManufacturedCase<Dim>& manufactured,
+                                        const MeshFamily<Dim>& family, int n,
+                                        const ManufacturedOptions& options = {});
+
+/// Checks the tangent on a mesh, about the pressure in the middle of the flow; see
+/// flow::check_jacobian.
+template <int Dim>
+std::vector<solve::NamedCheck> check_manufactured(const ManufacturedCase<Dim>& manufactured,
+                                                  const MeshFamily<Dim>& family, int n,
+                                                  const ManufacturedOptions& options = {});
+
+}  // namespace talus::threed
