@@ -18,6 +18,7 @@
 
 #include "common/flow/dense_jacobian.hpp"
 #include "common/program/summary.hpp"
+#include "common/scene/case.hpp"
 #include "common/solve/stopwatch.hpp"
 #include "threed/heap_program.hpp"
 #include "threed/heap_report.hpp"
@@ -30,10 +31,12 @@ namespace {
 
 using Options = threed::ProgramOptions;
 
-int check_jacobian(const Options& options, flow::CrossSection<2>& space) {
-  if (!options.is_space())
+int check_jacobian(const Options& options) {
+  if (!options.is_space()) {
+    flow::CrossSection<2> space = twod::space_of(options.section, options.mesh.section);
     return program::report("heap", flow::check_jacobian(space, twod::load_of(options.section),
                                                         section_options(options)));
+  }
   threed::HeapFlow heap(heap_of(options), options.mesh);
   if (options.method.tangent == "wrong-sign")
     heap.flow().set_tangent_factors({.shear_rate = -1, .pressure = -1});
@@ -63,6 +66,7 @@ std::string advice_for(const Options& options, solve::End end) {
 
 // What was found, by the model asked for: the section itself, or the one in the middle of the heap.
 struct Found {
+  std::unique_ptr<flow::CrossSection<2>> space;  // of the section
   std::optional<twod::SectionSolution> section;
   std::optional<threed::HeapSolution> heap;
 
@@ -71,10 +75,13 @@ struct Found {
 
 // At the given angle, or at the one that carries the given flow rate. The angle of the
 // three-dimensional model is that of its cross-section: both have the same flow rate.
-Found solve(Options& options, flow::CrossSection<2>& space) {
-  Found found;
+Found solve(Options& options) {
+  Found found{std::make_unique<flow::CrossSection<2>>(
+                  twod::space_of(options.section, options.mesh.section)),
+              {},
+              {}};
   if (!options.is_space() || options.start == "section" || options.flow_rate > 0)
-    found.section = solve_section(options, space);
+    found.section = solve_section(options, *found.space);
   if (!options.is_space()) return found;
   if (found.section) options.section.angle = found.section->section.angle;
   found.heap = threed::solve(heap_of(options), options.mesh, heap_options(options),
@@ -83,7 +90,7 @@ Found solve(Options& options, flow::CrossSection<2>& space) {
 }
 
 void print(const Found& found, const nlohmann::json& results) {
-  const auto& [section, heap] = found;
+  const auto& [_, section, heap] = found;
   const twod::SectionSolution& solution = found.solution();
   std::cout << (heap ? threed::mesh_lines(*heap) : twod::mesh_lines(solution))
             << program::outcome_line(solution) << '\n';
@@ -110,8 +117,9 @@ std::vector<std::string> files() {
 // The summary last: where it is, the others are. Of a failed solve it says how it went, and there
 // is no flow to show.
 void write_files(const io::ResultFolder& folder, const Found& found, const nlohmann::json& results,
-                 const flow::CrossSection<2>& space, bool plot) {
+                 bool plot) {
   const auto& heap = found.heap;
+  const flow::CrossSection<2>& space = *found.space;
   const twod::SectionSolution& solution = found.solution();
   const std::string iterations = program::iteration_file(solution);
   std::string written = " summary.json " + iterations;
@@ -127,52 +135,68 @@ void write_files(const io::ResultFolder& folder, const Found& found, const nlohm
           io::draw(folder, {heap ? threed::figure(*heap, space) : twod::figure(solution, space)});
   }
   folder.write("summary.json", results.dump(2) + "\n");
-  std::cout << "results in " << folder.path().string() << ":" << written << '\n';
+  if (!folder.is_nowhere())
+    std::cout << "results in " << folder.path().string() << ":" << written << '\n';
 }
 
 // No solution, and why: the summary says so too.
-int refuse(const io::ResultFolder& folder, nlohmann::json results, solve::End end,
-           const std::string& why) {
+int refuse(const scene::Case& a_case, const io::ResultFolder& folder, nlohmann::json results,
+           solve::End end, const std::string& why) {
   results["status"] = solve::name_of(end);
   results["results"] = nlohmann::json::object();
+  a_case.complete(results);
+  a_case.write(results);
   folder.write("summary.json", results.dump(2) + "\n");
   std::cerr << "heap: " << solve::name_of(end) << ": " << why << '\n';
   return 1;
 }
 
-int run(const CLI::App& app, Options& options) {
-  // 1. The mesh of half the section.
+// Elements of the mesh, and how large they are in the section, in d.
+void add_size(nlohmann::json& results, const Options& options) {
+  const auto& [across, up, to_wall, to_surface] = options.mesh.section;
+  const int along = options.is_space() ? options.mesh.along : 1;
+  results["elements"] = along * across * up;
+  results["element_size"] =
+      std::sqrt(options.section.width / 2 * options.section.height / (across * up));
+}
+
+int run(const CLI::App& app, Options& options, scene::Case& a_case) {
+  // 1. What the options mean together.
   threed::interpret(app, options);
   threed::admit(options);
-  flow::CrossSection<2> space = twod::space_of(options.section, options.mesh.section);
-  if (options.check_jacobian) return check_jacobian(options, space);
-  const io::ResultFolder folder(options.output);
+  if (a_case.is_dry_run()) return 0;
+  if (options.check_jacobian) return check_jacobian(options);
+  const io::ResultFolder folder = a_case.folder(options.output);
   folder.remove_older(files());
 
   nlohmann::json results = {
       {"scene", "heap"}, {"model", options.model}, {"parameters", parameters(options)}};
+  add_size(results, options);
 
   // 2. The limits of existence come first.
   const bool searches = options.flow_rate > 0;
   if (!searches && twod::regime(options.section) == rheology::Regime::no_steady_state)
     return refuse(
-        folder, results, solve::End::no_steady_state,
+        a_case, folder, results, solve::End::no_steady_state,
         "no steady flow for angle >= " + io::rounded(std::atan(options.section.law.mu_2()), 6) +
             "; " + solve::advice_for(solve::End::no_steady_state));
 
   // 3. The solve, what came out, and the files.
   Found found;
   try {
-    found = solve(options, space);
+    found = a_case.timed([&] { return solve(options); });
   } catch (const twod::FlowRateError& error) {
-    return refuse(folder, results, error.end, error.what());
+    return refuse(a_case, folder, results, error.end, error.what());
   }
   const twod::SectionSolution& solution = found.solution();
-  results.update(found.heap ? threed::summary(*found.heap, space) : twod::summary(solution, space));
+  results.update(found.heap ? threed::summary(*found.heap, *found.space)
+                            : twod::summary(solution, *found.space));
   if (found.heap && found.section && solve::is_success(solution.end))
     threed::add_comparison(results, *found.heap, *found.section);
+  a_case.complete(results);
   print(found, results);
-  write_files(folder, found, results, space, options.plot);
+  write_files(folder, found, results, options.plot);
+  a_case.write(results);
   if (solve::is_success(solution.end)) return 0;
   std::cerr << "heap: " << solve::name_of(solution.end) << ": " << advice_for(options, solution.end)
             << '\n';
@@ -185,5 +209,6 @@ int main(int argc, char** argv) {
   CLI::App app{"Dense granular flow on a heap between side walls", "heap"};
   Options options;
   threed::add_options(app, options);
-  return io::run_program(app, argc, argv, [&] { return run(app, options); });
+  scene::Case a_case(app, threed::description());
+  return a_case.run_program(argc, argv, [&] { return run(app, options, a_case); });
 }

@@ -91,7 +91,8 @@ void add_options(CLI::App& app, ProgramOptions& options) {
                  {"no-slip", "friction"});
   io::add_text(
       app, "--elements", options.elements,
-      "Elements ACROSSxUP of half the section; in space ALONGxACROSSxUP, default 1x70x100");
+      "Elements ACROSSxUP of half the section; in space ALONGxACROSSxUP, default 1x70x100")
+      ->type_name("MESH");
   io::add_choice(app, "--start", options.start,
                  "Where Newton starts: at rest, on ever finer meshes (default in space), or "
                  "there from the section",

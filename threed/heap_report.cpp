@@ -16,7 +16,9 @@ nlohmann::json summary(const HeapSolution& solution, const flow::CrossSection<2>
     all["results"]["change_along"] = solution.change_along;
   }
   all["meshes"] = nlohmann::json::array();
-  for (const MeshCost& cost : solution.meshes)
+  int factorisations = 0;
+  for (const MeshCost& cost : solution.meshes) {
+    factorisations += cost.factorisations;
     all["meshes"].push_back(
         {{"elements", {cost.mesh.along, cost.mesh.section.across, cost.mesh.section.up}},
          {"status", solve::name_of(cost.end)},
@@ -26,7 +28,9 @@ nlohmann::json summary(const HeapSolution& solution, const flow::CrossSection<2>
          {"condensed_unknowns", cost.condensed},
          {"factor_entries", cost.factor_entries},
          {"seconds", cost.seconds}});
-  all["peak_memory_mb"] = program::peak_memory();
+  }
+  all["factorisations"] = factorisations;
+  all["unknowns"] = solution.flow->space().size();
   return all;
 }
 

@@ -5,9 +5,13 @@
 
 #include "common/io/figure.hpp"
 #include "common/io/vtu.hpp"
+#include "common/scene/description.hpp"
 #include "threed/heap_solve.hpp"
 
 namespace talus::threed {
+
+/// Of the program `heap`, for both models.
+const scene::Description& description();
 
 /// summary.json without the parameters: what the cross-section has, taken at half the length, then
 /// cross-flow, dynamic pressure, cost of every mesh, memory.

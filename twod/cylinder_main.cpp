@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <memory>
+#include <numbers>
 
 #include "common/flow/dense_jacobian.hpp"
 #include "common/io/options.hpp"
@@ -17,6 +19,7 @@
 #include "common/program/penalty_options.hpp"
 #include "common/program/summary.hpp"
 #include "common/program/work.hpp"
+#include "common/scene/case.hpp"
 #include "common/solve/parallel.hpp"
 #include "common/solve/stopwatch.hpp"
 #include "twod/cylinder_sweep.hpp"
@@ -100,29 +103,37 @@ std::string advice_for(const Options& options) {
   return "try the other --route, " + advice + "; past some loading there is no steady flow at all";
 }
 
-int run(Options& options) {
+int run(Options& options, scene::Case& a_case) {
   // 1. The scene: mesh, boundary conditions, law.
   read(options);
   program::admit("cylinder", "--around", [&](double share) { return task_at(options, share); });
   solve::set_threads(options.threads);
+  if (a_case.is_dry_run()) return 0;
   if (options.check_jacobian) {
     const twod::CylinderFlow cylinder(options.run.scene);
     return program::report("cylinder", flow::check_jacobian(cylinder.flow(), 1));  // p_ext
   }
-  const io::ResultFolder folder(options.output);
+  const io::ResultFolder folder = a_case.folder(options.output);
   const solve::Stopwatch watch;
-  twod::CylinderSweep sweep(options.run, folder);
 
   // 2. The paths from rest to every loading.
-  const bool reached_all = sweep.run();
+  bool reached_all = false;
+  const auto solved = a_case.timed([&] {
+    auto sweep = std::make_unique<twod::CylinderSweep>(options.run, folder);
+    reached_all = sweep->run();
+    return sweep;
+  });
+  const twod::CylinderSweep& sweep = *solved;
 
   // 3. What came out.
   nlohmann::json summary = {
       {"scene", "cylinder"}, {"model", "velocity-pressure"}, {"parameters", sweep.parameters()}};
   summary["status"] = sweep.status();
   summary["elements"] = sweep.cylinder().space().element_count();
+  summary["element_size"] = std::numbers::pi / options.run.scene.mesh.around;  // on the cylinder
+  summary["unknowns"] = sweep.cylinder().space().size();
   summary["condensed_unknowns"] = sweep.cylinder().flow().system().unknowns();
-  summary["factorisations"] = sweep.factorisations();
+  summary["iterations"] = summary["factorisations"] = sweep.factorisations();
   summary["folds"] = sweep.folds();
   summary["seconds"] = watch.seconds();
   summary["results"] = nlohmann::json::object();
@@ -130,6 +141,7 @@ int run(Options& options) {
   for (const auto& measures : sweep.reached_loadings())
     summary["sweep"].push_back(twod::as_json(measures));
   if (reached_all) summary["results"] = summary["sweep"].back();
+  a_case.complete(summary);
 
   // 4. The files, the summary last: where it is, the others are. Those of a path that failed say
   // how it went.
@@ -153,9 +165,12 @@ int run(Options& options) {
   }
   if (options.plot) written += io::draw(folder, figures);
   folder.write("summary.json", summary.dump(2) + "\n");
+  a_case.write(summary);
   std::cout << sweep.factorisations() << " factorisations, " << sweep.folds() << " folds, "
-            << io::rounded(watch.seconds(), 3) << " s; results in " << folder.path().string() << ":"
-            << written << '\n';
+            << io::rounded(watch.seconds(), 3) << " s";
+  if (!folder.is_nowhere())
+    std::cout << "; results in " << folder.path().string() << ":" << written;
+  std::cout << '\n';
   if (reached_all) return 0;
   std::cerr << "cylinder: " << sweep.status()
             << " at F = " << io::rounded(sweep.cylinder().flow().load_factor(), 8)
@@ -216,13 +231,14 @@ int main(int argc, char** argv) {
   app.add_flag("--plot", o.plot, "Draw the figures (data, gnuplot script, SVG and PNG)");
   app.add_flag("--check-jacobian", o.check_jacobian,
                "Only compare the tangent with differences of the residual (take few elements)");
-  return io::run_program(app, argc, argv, [&] {
+  scene::Case a_case(app, twod::description());
+  return a_case.run_program(argc, argv, [&] {
     io::refuse_unused(
-        app,
-        {{{"--pressure-floor"}, !o.no_pressure_regularisation, "--no-pressure-regularisation"}});
+        app, {{{"--pressure-floor"}, !o.no_pressure_regularisation, "--no-pressure-regularisation"},
+              {{"--repeat"}, !o.run.resume, "--resume"}});
     auto& mesh = o.run.scene.mesh;
     if (app.count("--first-layer") == 0)
       mesh.first_layer = twod::refined_to(mesh.around).first_layer;
-    return run(o);
+    return run(o, a_case);
   });
 }

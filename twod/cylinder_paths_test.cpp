@@ -34,7 +34,7 @@ void check_predictor_order(CylinderFlow& cylinder, const State& state, double st
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_well_posed_law_has_no_folds_on_the_way_to_flow) {
-  Cylinder well_posed = scene(40);
+  Cylinder well_posed = cylinder_of(40);
   well_posed.regularisation = *rheology::regularisation_named("barker-gray");
   CylinderFlow cylinder(well_posed);
   solve::PathOptions options = cylinder_path_options();  // few steps in vain
@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(the_well_posed_law_has_no_folds_on_the_way_to_flow) {
 }
 
 BOOST_AUTO_TEST_CASE(where_rest_is_too_far_paths_set_out_along_the_loading) {
-  Cylinder fast = scene(32);
+  Cylinder fast = cylinder_of(32);
   fast.regularisation = *rheology::regularisation_named("barker-gray");
   solve::PathOptions options = cylinder_path_options();
   options.max_points = 1;
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(where_rest_is_too_far_paths_set_out_along_the_loading) {
 
 // On this mesh the path turns back at the yield load and once more.
 BOOST_AUTO_TEST_CASE(arclength_passes_the_yield_load_where_natural_continuation_stops) {
-  CylinderFlow cylinder(scene(16));
+  CylinderFlow cylinder(cylinder_of(16));
   const solve::PathStart<State> start{.state = creep(cylinder, 0.045), .parameter = 0.045};
   solve::PathOptions options = cylinder_path_options();
   const CylinderPath arclength =
@@ -92,10 +92,10 @@ BOOST_AUTO_TEST_CASE(arclength_passes_the_yield_load_where_natural_continuation_
 
 BOOST_AUTO_TEST_CASE(the_paths_lead_where_newton_leads) {
   constexpr double lambda_r = 1e-4;
-  const CylinderMeasures direct = creep_at(scene(16, lambda_r), 0.03);
+  const CylinderMeasures direct = creep_at(cylinder_of(16, lambda_r), 0.03);
   for (const auto continuation :
        {Continuation::arclength, Continuation::natural, Continuation::primal_dual}) {
-    CylinderFlow cylinder(scene(16, lambda_r));
+    CylinderFlow cylinder(cylinder_of(16, lambda_r));
     CylinderPath path = solve_from_rest(cylinder, 0.03, continuation);
     BOOST_REQUIRE((path.end == PathEnd::target_reached));
     solve_at(cylinder, 0.03, lambda_r, path.next.state);
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(the_paths_lead_where_newton_leads) {
     BOOST_TEST(relative(m.drag, direct.drag) < 1e-9);
     BOOST_TEST(relative(m.mean_velocity, direct.mean_velocity) < 1e-9);
   }
-  CylinderFlow cylinder(scene(16, lambda_r));
+  CylinderFlow cylinder(cylinder_of(16, lambda_r));
   const auto stop = [](const auto&, const CylinderMeasures& m, const solve::PathPoint&) {
     return m.lambda_r > 0.01;
   };
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(the_paths_lead_where_newton_leads) {
 }
 
 BOOST_AUTO_TEST_CASE(tangent_steps_along_both_parameters_are_of_second_order) {
-  CylinderFlow cylinder(scene(16, 1e-2));
+  CylinderFlow cylinder(cylinder_of(16, 1e-2));
   const State state = creep(cylinder, 0.045);
   check_predictor_order<flow::RegularisationPath<2>>(cylinder, state, 0.02);
   check_predictor_order<flow::LoadPath<2>>(cylinder, state, 0.02);

@@ -9,9 +9,13 @@
 #include "common/io/figure.hpp"
 #include "common/io/table.hpp"
 #include "common/io/vtu.hpp"
+#include "common/scene/description.hpp"
 #include "twod/cylinder.hpp"
 
 namespace talus::twod {
+
+/// Of the program `cylinder`.
+const scene::Description& description();
 
 /// A point of a path and what was measured there.
 struct PathRecord {

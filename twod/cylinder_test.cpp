@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(creep_has_the_drag_and_velocity_of_the_references) {
   struct Reference {
     double loading, drag, mean_velocity;
   };
-  Cylinder fine = scene(32);
+  Cylinder fine = cylinder_of(32);
   fine.mesh.first_layer = 0.02;
   for (const auto& [loading, drag, velocity] :
        {Reference{0.01, 1.64313, 4.97e-7}, {0.04, 4.61716, 3.22e-6}}) {
@@ -52,14 +52,14 @@ BOOST_AUTO_TEST_CASE(creep_has_the_drag_and_velocity_of_the_references) {
     BOOST_TEST(m.divergence > 1e-6);  // what the pressures do not see is no round-off
     BOOST_TEST(relative(m.weight, loading * (600 - std::numbers::pi / 4)) < 1e-6);
   }
-  BOOST_TEST(relative(creep_at(scene(16), 0.04).drag, 4.61716) > 0.01);  // a coarse mesh is seen
+  BOOST_TEST(relative(creep_at(cylinder_of(16), 0.04).drag, 4.61716) > 0.01);  // a coarse mesh is seen
 }
 
 BOOST_AUTO_TEST_CASE(creep_is_proportional_to_lambda_r_and_flow_is_not) {
-  const CylinderMeasures one = creep_at(scene(24), 0.01), half = creep_at(scene(24, 5e-7), 0.01);
+  const CylinderMeasures one = creep_at(cylinder_of(24), 0.01), half = creep_at(cylinder_of(24, 5e-7), 0.01);
   BOOST_TEST(relative(one.mean_velocity, 2 * half.mean_velocity) < 1e-5);
   BOOST_TEST(relative(one.drag, half.drag) < 1e-5);
-  CylinderFlow flowing(scene(16, 2e-3));
+  CylinderFlow flowing(cylinder_of(16, 2e-3));
   const CylinderPath path = solve_from_rest(flowing, 0.054);
   BOOST_REQUIRE((path.end == PathEnd::target_reached));
   State state = path.next.state;
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(creep_is_proportional_to_lambda_r_and_flow_is_not) {
 
 BOOST_AUTO_TEST_CASE(the_traction_approaches_the_reactions_at_first_order) {
   const auto gap = [](int around) {
-    const CylinderMeasures m = creep_at(scene(around), 0.01);
+    const CylinderMeasures m = creep_at(cylinder_of(around), 0.01);
     return relative(m.drag_traction, m.drag);
   };
   const double coarse = gap(16), fine = gap(32);
@@ -80,9 +80,9 @@ BOOST_AUTO_TEST_CASE(the_traction_approaches_the_reactions_at_first_order) {
 }
 
 BOOST_AUTO_TEST_CASE(half_and_full_domain_agree) {
-  Cylinder full = scene(16);
+  Cylinder full = cylinder_of(16);
   full.mesh.full = true;
-  const CylinderMeasures a = creep_at(scene(16), 0.03), b = creep_at(full, 0.03);
+  const CylinderMeasures a = creep_at(cylinder_of(16), 0.03), b = creep_at(full, 0.03);
   BOOST_TEST(relative(a.drag, b.drag) < 1e-9);
   BOOST_TEST(relative(a.drag_traction, b.drag_traction) < 1e-9);
   BOOST_TEST(relative(a.wall_force, b.wall_force) < 1e-9);
@@ -93,14 +93,14 @@ BOOST_AUTO_TEST_CASE(half_and_full_domain_agree) {
 // Eq. (8): the divergence of a plain penalty is -λp p, exactly: p is in the space of projections.
 BOOST_AUTO_TEST_CASE(a_plain_penalty_leaves_the_divergence_it_should) {
   constexpr double loading = 0.03, lambda_r = 1e-2;
-  Cylinder plain = scene(16, lambda_r);
+  Cylinder plain = cylinder_of(16, lambda_r);
   plain.penalty = {flow::Penalty::plain, 1e-8};
   CylinderFlow cylinder(plain);
   const State state = creep(cylinder, loading);
   const CylinderMeasures m = measure(cylinder, state);
   const auto [pressure, gradient] = norms(cylinder, state);
   BOOST_TEST(relative(m.projected_divergence, 1e-8 * pressure / gradient) < 1e-3);
-  const CylinderMeasures iterated = creep_at(scene(16, lambda_r), loading);
+  const CylinderMeasures iterated = creep_at(cylinder_of(16, lambda_r), loading);
   BOOST_TEST(iterated.projected_divergence < 1e-13);
   BOOST_TEST_MESSAGE("drag changed by " << relative(m.drag, iterated.drag));
   BOOST_TEST(relative(m.drag, iterated.drag) < 1e-6);
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(a_plain_penalty_leaves_the_divergence_it_should) {
 
 BOOST_AUTO_TEST_CASE(an_outlet_whose_pressure_is_open_carries_the_column) {
   const auto velocity = [](flow::Open open) {
-    Cylinder outlet = scene(16, 0.1);
+    Cylinder outlet = cylinder_of(16, 0.1);
     outlet.mesh.outlet = 8;
     outlet.open_outlet = open;
     CylinderFlow cylinder(outlet);
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(the_tangent_at_a_viscous_outlet_is_the_derivative) {
 }
 
 BOOST_AUTO_TEST_CASE(reports_keep_what_was_measured) {
-  CylinderFlow cylinder(scene(16));
+  CylinderFlow cylinder(cylinder_of(16));
   const State state = creep(cylinder, 0.03);
   const nlohmann::json json = as_json(measure(cylinder, state));
   BOOST_TEST((as_json(measures_from(nlohmann::json::parse(json.dump()))) == json));

@@ -7,7 +7,7 @@
 
 namespace talus::twod {
 
-inline Cylinder scene(int around, double lambda_r = 1e-6) {
+inline Cylinder cylinder_of(int around, double lambda_r = 1e-6) {
   Cylinder scene;
   scene.mesh = refined_to(around);
   scene.lambda_r = lambda_r;

@@ -121,6 +121,16 @@ std::string machine() {
          " threads seen, one used by a study; compiler " + __VERSION__ + "; " + date;
 }
 
+// A whole document: `lead` stands above the machine and the command.
+std::string page(const std::string& title, const std::string& heading, const std::string& lead,
+                 const std::string& command, const std::string& body) {
+  return "<!doctype html><html lang=en><head><meta charset=utf-8><title>" + escaped(title) +
+         "</title><meta name=viewport content=\"width=device-width\"><style>" + std::string(style) +
+         "</style></head><body>\n<h1>" + escaped(heading) + "</h1>\n" + lead + "<p>" +
+         escaped(machine()) + "<br>Command: <code>" + escaped(command) + "</code></p>\n" + body +
+         "</body></html>\n";
+}
+
 }  // namespace
 
 Written write_chapter(const Chapter& chapter, const std::filesystem::path& folder) {
@@ -133,8 +143,8 @@ Written write_chapter(const Chapter& chapter, const std::filesystem::path& folde
                           ", not in [" + io::rounded(check.lower, 5) + ", " +
                           io::rounded(check.upper, 5) + "]\n";
   }
-  written.html = "<h2 id=\"" + chapter.name + "\">" + escaped(chapter.title) + "</h2>\n" +
-                 html_of(chapter.checks, written);
+  written.html = "<h2 id=\"" + chapter.name + "\">" + escaped(chapter.title) + "</h2>\n";
+  if (!chapter.checks.empty()) written.html += html_of(chapter.checks, written);
   for (const auto& block : chapter.blocks) {
     if (const auto* text = std::get_if<std::string>(&block))
       written.html += "<p>" + escaped(*text) + "</p>\n";
@@ -159,15 +169,17 @@ std::string html_report(const std::vector<Written>& chapters, const std::string&
                "<td><code>./run verify " + chapter.name + "</code></tr>\n";
     body += chapter.html;
   }
-  return "<!doctype html><html lang=en><head><meta charset=utf-8><title>Talus: verification</title>"
-         "<meta name=viewport content=\"width=device-width\"><style>" +
-         std::string(style) +
-         "</style></head><body>\n<h1>Talus: verification report</h1>\n<p class=" +
-         (passed ? "pass>Every check holds." : "fail>Some checks do not hold.") +
-         "</p>\n<p>Steady dense granular flow with the μ(I) rheology: is the code right, what does "
-         "an error cost, where do the methods fail?</p>\n<p>" +
-         escaped(machine()) + "<br>Command: <code>" + escaped(command) + "</code></p>\n" + summary +
-         "</table>\n" + body + "</body></html>\n";
+  return page("Talus: verification", "Talus: verification report",
+              std::string("<p class=") +
+                  (passed ? "pass>Every check holds." : "fail>Some checks do not hold.") +
+                  "</p>\n<p>Steady dense granular flow with the μ(I) rheology: is the code right, what "
+                  "does an error cost, where do the methods fail?</p>\n",
+              command, summary + "</table>\n" + body);
+}
+
+std::string html_page(const std::string& title, const std::string& command,
+                      const std::string& body) {
+  return page("Talus: " + title, title, "", command, body);
 }
 
 }  // namespace talus::verification

@@ -26,4 +26,8 @@ Written write_chapter(const Chapter& chapter, const std::filesystem::path& folde
 /// All chapters, the commands to regenerate them, and the machine. `command` is what was run.
 std::string html_report(const std::vector<Written>& chapters, const std::string& command);
 
+/// One page with a body in HTML, such as that of a chapter.
+std::string html_page(const std::string& title, const std::string& command,
+                      const std::string& body);
+
 }  // namespace talus::verification

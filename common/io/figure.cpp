@@ -111,9 +111,14 @@ std::string script_to(const std::string& output, const Figure& figure, const std
   const std::string size =
       std::to_string(columns * panel_width) + "," + std::to_string(rows * panel_height);
   std::string script = "# gnuplot " + figure.name + ".gp\nset encoding utf8\n";
+  // Of the same size on paper as on a screen of 96 dots an inch.
+  const std::string inches =
+      io::rounded(columns * panel_width / 96., 5) + "," + io::rounded(rows * panel_height / 96., 5);
   script += format == "png" ? "set terminal pngcairo size " + size + " font 'Sans,11' enhanced\n"
-                            : "set terminal svg size " + size +
-                                  " dynamic font 'Helvetica,13' enhanced background rgb 'white'\n";
+            : format == "pdf"
+                ? "set terminal pdfcairo size " + inches + " font 'Sans,9' enhanced\n"
+                : "set terminal svg size " + size +
+                      " dynamic font 'Helvetica,13' enhanced background rgb 'white'\n";
   script += "set output" + output + "\n";
   script += "set multiplot layout " + std::to_string(rows) + "," + std::to_string(columns) + "\n";
   std::size_t block = 0;
@@ -124,8 +129,9 @@ std::string script_to(const std::string& output, const Figure& figure, const std
 
 // Gnuplot can die, or be a stand-in, without saying so.
 bool is_whole(const std::string& image, const std::string& format) {
-  const bool is_png = format == "png";
-  const std::string start = is_png ? "\x89PNG" : "<svg", end = is_png ? "IEND" : "</svg>";
+  const bool is_png = format == "png", is_pdf = format == "pdf";
+  const std::string start = is_png ? "\x89PNG" : is_pdf ? "%PDF" : "<svg";
+  const std::string end = is_png ? "IEND" : is_pdf ? "%%EOF" : "</svg>";
   const std::size_t first = image.find(start), last = image.rfind(end);
   constexpr std::size_t most_after = 4;  // a checksum, or line breaks
   return first != std::string::npos && last != std::string::npos && first < last &&
@@ -182,10 +188,11 @@ std::string write_figure(const ResultFolder& folder, const Figure& figure,
   return {};
 }
 
-std::string draw(const ResultFolder& folder, const std::vector<Figure>& figures) {
+std::string draw(const ResultFolder& folder, const std::vector<Figure>& figures,
+                 const std::vector<std::string>& formats) {
   std::string drawn;
   for (const Figure& figure : figures)
-    for (const char* format : {"png", "svg"}) {
+    for (const std::string& format : formats) {
       const std::string failure = write_figure(folder, figure, format);
       if (!failure.empty())
         return drawn + " (no " + figure.name + "." + format + ": " + failure + ")";
@@ -195,7 +202,7 @@ std::string draw(const ResultFolder& folder, const std::vector<Figure>& figures)
 }
 
 std::vector<std::string> files_of(const std::string& figure) {
-  return {figure + ".dat", figure + ".gp", figure + ".svg", figure + ".png"};
+  return {figure + ".dat", figure + ".gp", figure + ".svg", figure + ".png", figure + ".pdf"};
 }
 
 }  // namespace talus::io

@@ -1,4 +1,4 @@
-// Figures: panels of curves or maps, written as data, gnuplot script and SVG (or PNG).
+// Figures: panels of curves or maps, written as data, gnuplot script and SVG, PNG or PDF.
 #pragma once
 
 #include <optional>
@@ -46,20 +46,21 @@ struct Figure {
 
 /// The data file, blocks in the order of the curves.
 std::string figure_data(const Figure& figure);
-/// The script that draws `format` ("svg" or "png") from the data file.
+/// The script that draws `format` ("svg", "png" or "pdf") from the data file.
 std::string figure_script(const Figure& figure, const std::string& format);
 
-/// Writes NAME.dat and NAME.gp, and runs gnuplot for NAME.svg or NAME.png, which is there whole or
-/// not at all. Returns why it is not; empty if it is. Throws UserError if a file cannot be written.
-/// A tenth of a second is usual; gnuplot is killed after `limit`, and a second more for each
-/// megabyte of data.
+/// Writes NAME.dat and NAME.gp, and runs gnuplot for NAME.svg, .png or .pdf, which is there whole
+/// or not at all. Returns why it is not; empty if it is. Throws UserError if a file cannot be
+/// written. A tenth of a second is usual; gnuplot is killed after `limit`, and a second more for
+/// each megabyte of data.
 std::string write_figure(const ResultFolder& folder, const Figure& figure,
                          const std::string& format,
                          std::chrono::milliseconds limit = std::chrono::seconds(30));
 
-/// Draws the figures as PNG and SVG until one fails. Returns what a program says of it: a space and
-/// the name of every picture, then why the rest is missing, in brackets.
-std::string draw(const ResultFolder& folder, const std::vector<Figure>& figures);
+/// Draws the figures in every format until one fails. Returns what a program says of it: a space
+/// and the name of every picture, then why the rest is missing, in brackets.
+std::string draw(const ResultFolder& folder, const std::vector<Figure>& figures,
+                 const std::vector<std::string>& formats = {"png", "svg"});
 
 /// The files that a figure of that name can leave, for ResultFolder::remove_older.
 std::vector<std::string> files_of(const std::string& figure);

@@ -134,7 +134,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& val
   std::string list;
   for (const std::string& each : names) list += (list.empty() ? "" : ", ") + each;
   return add_value(
-      app, name, "TEXT", description + " [" + list + "]",
+      app, name, "NAME", description + " [" + list + "]",
       [=, &value](const std::string& text) {
         const auto now = older.find(text);
         if (now == older.end() && std::find(names.begin(), names.end(), text) == names.end())

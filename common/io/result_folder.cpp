@@ -21,6 +21,20 @@ std::string finished(const std::string& name) {
   return is_part ? name.substr(1, name.size() - 1 - part.size()) : name;
 }
 
+// To a temporary name, then renamed.
+void put(const std::string& option, const std::filesystem::path& target,
+         const std::string& contents) {
+  const auto unfinished = target.parent_path() / ("." + target.filename().string() + part);
+  std::ofstream file(unfinished, std::ios::binary);
+  file << contents;
+  file.close();
+  std::error_code error;
+  if (file) std::filesystem::rename(unfinished, target, error);
+  if (file && !error) return;
+  std::filesystem::remove(unfinished, error);
+  throw UserError(option + ": cannot write '" + target.string() + "'");
+}
+
 }  // namespace
 
 ResultFolder::ResultFolder(std::filesystem::path path) : path_(std::move(path)) {
@@ -42,6 +56,7 @@ ResultFolder::~ResultFolder() {
 }
 
 void ResultFolder::remove_older(const std::vector<std::string>& patterns) const {
+  if (path_.empty()) return;
   std::error_code error;
   std::vector<std::filesystem::path> older;
   for (auto entry = std::filesystem::directory_iterator(path_, error);
@@ -57,15 +72,21 @@ void ResultFolder::remove_older(const std::vector<std::string>& patterns) const 
 }
 
 void ResultFolder::write(const std::string& name, const std::string& contents) const {
-  const auto target = path_ / name, unfinished = path_ / ("." + name + part);
-  std::ofstream file(unfinished, std::ios::binary);
-  file << contents;
-  file.close();
+  if (!path_.empty()) put("--output", path_ / name, contents);
+}
+
+void write_file(const std::string& option, const std::filesystem::path& file,
+                const std::string& contents) {
   std::error_code error;
-  if (file) std::filesystem::rename(unfinished, target, error);
-  if (file && !error) return;
-  std::filesystem::remove(unfinished, error);
-  throw UserError("--output: cannot write '" + target.string() + "'");
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
+  put(option, file, contents);
+}
+
+void remove_file(const std::string& option, const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error) ||
+      (!std::filesystem::remove(file, error) && error))
+    throw UserError(option + ": '" + file.string() + "' is no file that can be replaced");
 }
 
 }  // namespace talus::io

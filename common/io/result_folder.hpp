@@ -20,11 +20,14 @@ class ResultFolder {
   /// destroyed or the process (with those forked from it) ends. Throws UserError if it cannot be
   /// written to or another run holds it. Where the file system knows no locks it is not held.
   explicit ResultFolder(std::filesystem::path path);
+  /// Nowhere: what is written is lost. For a run of which only a record is wanted.
+  ResultFolder() = default;
   ~ResultFolder();
   ResultFolder(const ResultFolder&) = delete;
   ResultFolder& operator=(const ResultFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
+  bool is_nowhere() const { return path_.empty(); }
 
   /// Removes what an earlier run left: the files whose names match one of `patterns` (as in a
   /// shell), and what it was killed writing of them. To be called when the input is known to be
@@ -38,5 +41,12 @@ class ResultFolder {
   std::filesystem::path path_;
   int lock_ = -1;
 };
+
+/// Writes a file that an option names, whole or not at all, its folder too. Throws UserError.
+void write_file(const std::string& option, const std::filesystem::path& file,
+                const std::string& contents);
+
+/// Removes it if it is there. Throws UserError.
+void remove_file(const std::string& option, const std::filesystem::path& file);
 
 }  // namespace talus::io

@@ -1,12 +1,12 @@
 #include "common/program/checkpoint.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <sstream>
+
+#include "common/io/checksum.hpp"
 
 namespace talus::program {
 namespace {
@@ -14,15 +14,6 @@ namespace {
 using State = solve::CompensatedVector;
 
 constexpr const char* first_words = "talus checkpoint ";
-
-// FNV-1a of 64 bits, in hexadecimal: one changed byte always changes it.
-std::string checksum(const std::string& contents) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char c : contents) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  std::array<char, 17> digits{};
-  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
-  return digits.data();
-}
 
 void append(std::string& contents, const double* numbers, std::size_t count) {
   contents.append(reinterpret_cast<const char*>(numbers), sizeof(double) * count);
@@ -86,7 +77,7 @@ void write_checkpoint(const io::ResultFolder& folder, const std::string& name,
   append(contents, start.state);
   if (start.secant) append(contents, *start.secant);
   append(contents, checkpoint.carried_stress.data(), checkpoint.carried_stress.size());
-  folder.write(name, first_words + checksum(contents) + "\n" + contents);
+  folder.write(name, first_words + io::checksum(contents) + "\n" + contents);
 }
 
 std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& file) {
@@ -102,7 +93,7 @@ std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& file) {
   if (!text.starts_with(words) || line_end == std::string::npos)
     throw refused("is not a checkpoint of this program");
   const std::string contents = text.substr(line_end + 1);
-  if (text.substr(words.size(), line_end - words.size()) != checksum(contents))
+  if (text.substr(words.size(), line_end - words.size()) != io::checksum(contents))
     throw refused("is damaged: its checksum is that of other contents");
   Checkpoint checkpoint;
   try {

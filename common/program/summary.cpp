@@ -56,6 +56,7 @@ void add_outcome(json& summary, const flow::ShearSolution& solution) {
     summary["newton"] = newton_as_json(solution.newton);
   else
     summary["interior_point"] = interior_point_as_json(solution.interior_point);
+  summary["iterations"] = summary["factorisations"] = solution.iterations();
   summary["seconds"] = solution.seconds;
 }
 

@@ -14,7 +14,7 @@ namespace talus::program {
 nlohmann::json as_json(const rheology::FrictionLaw& law);
 /// Method and its parameters.
 nlohmann::json as_json(const flow::ShearOptions& options);
-/// Adds status, newton or interior_point, and seconds.
+/// Adds status, newton or interior_point, iterations, factorisations, and seconds.
 void add_outcome(nlohmann::json& summary, const flow::ShearSolution& solution);
 
 /// One row an iteration of Newton or of the interior point.

@@ -1,0 +1,150 @@
+// A study of one's own: the combinations of any options of a scene, solved, charted and judged.
+//
+// Sample runs (the test suite runs them):
+//   study converge bagnold --elements 5:80:x2 --grading 1,2 --lambda-r 1e-8
+//   study cost heap --elements 4x6,8x12,16x24 --method newton,interior-point
+//   study stability chute --elements 5:20:x2 --lambda-r 1e-2:1e-8:/100 --tangent full,frozen
+//   study sweep heap --angle 0.37:0.5:4 --elements 7x10 --quantity flow_rate,depth_yield
+#include <iostream>
+
+#include "common/io/options.hpp"
+#include "common/io/progress.hpp"
+#include "common/io/shell.hpp"
+#include "verification/runner.hpp"
+#include "verification/study/page.hpp"
+
+using namespace talus;
+
+namespace {
+
+struct Asked {
+  std::string kind, scene, output, quantity, merge;
+  std::vector<std::string> scene_words;
+  study::RunOptions run{.jobs = 0};
+  bool list = false;
+};
+
+void print_cases(const study::Program& program, const std::vector<study::Options>& cases,
+                 const std::filesystem::path& folder) {
+  for (const auto& each : cases) {
+    std::cout << program.path.string();
+    for (const std::string& word : study::command_of(program, each, folder))
+      std::cout << ' ' << io::shell_word(word);
+    std::cout << '\n';
+  }
+}
+
+// Sorts the words of the command line: those of the study itself are returned, kind and scene last;
+// the options of the scene and their values are left in `others`.
+std::vector<std::string> own_words(const CLI::App& app, int argc, char** argv,
+                                   std::vector<std::string>& others) {
+  const std::vector<std::string> words(argv, argv + argc);
+  std::vector<std::string> own{words[0]}, names;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const bool is_option = words[i].rfind("-", 0) == 0;
+    const CLI::Option* ours =
+        is_option ? app.get_option_no_throw(words[i].substr(0, words[i].find('='))) : nullptr;
+    if (ours) {
+      own.push_back(words[i]);
+      const bool takes_next = ours->get_items_expected_max() > 0 &&
+                              words[i].find('=') == std::string::npos && i + 1 < words.size();
+      if (takes_next) own.push_back(words[++i]);
+    } else if (!is_option && names.size() < 2 && others.empty()) {
+      names.push_back(words[i]);
+    } else {
+      others.push_back(words[i]);
+    }
+  }
+  own.insert(own.end(), names.begin(), names.end());
+  return own;
+}
+
+std::string line_of(int argc, char** argv) {
+  std::string line = "./run study";
+  for (int i = 1; i < argc; ++i) line += " " + io::shell_word(argv[i]);
+  return line;
+}
+
+int run(Asked& asked, const std::string& command) {
+  // 1. What is asked, and whether every case of it is possible.
+  const study::Kind& kind = study::kind_named(asked.kind);
+  study::Table table{study::program_of(asked.scene), {}, {}};
+  table.varied = study::varied_options(table.program, asked.scene_words);
+  if (!asked.quantity.empty()) table.quantities = io::split(asked.quantity, ',');
+  for (const std::string& each : table.quantities) {
+    const bool is_error = each.rfind("error_", 0) == 0;
+    if (!table.program.quantity(each) && !(is_error && table.program.quantity(each.substr(6))))
+      throw io::UserError("--quantity: '" + each + "' is no result of " + asked.scene +
+                          " (see its --describe)");
+  }
+  const auto cases = study::possible(table.program, study::combinations(table.varied));
+  if (asked.output.empty()) asked.output = "results/study/" + kind.name + "-" + asked.scene;
+  if (!asked.merge.empty())
+    for (const std::string& each : io::split(asked.merge, ',')) asked.run.merged.emplace_back(each);
+  const std::filesystem::path records = std::filesystem::path(asked.output) / "cases";
+  if (asked.list) {
+    print_cases(table.program, cases, records);
+    return 0;
+  }
+
+  // 2. The cases, each a process; what is known is not solved again.
+  if (asked.run.jobs == 0) asked.run.jobs = kind.measures_time ? 1 : verification::default_jobs();
+  const io::ResultFolder folder(asked.output);
+  folder.remove_older(study::files());
+  {
+    io::Progress progress;
+    table.rows = study::run_cases(
+        table.program, cases, records, asked.run,
+        [&](const study::Row& row, double done) { progress.show(row.status(), done); });
+  }
+
+  // 3. What they show.
+  const study::Findings findings = kind.find(table);
+  for (const auto& block : findings.chapter.blocks)
+    if (const auto* text = std::get_if<std::string>(&block))
+      std::cout << *text << '\n';
+    else if (const auto* shown = std::get_if<io::Table>(&block))
+      io::print(std::cout, *shown);
+  std::cout << study::count_of_ends(study::all_rows(table)) << '\n';
+  const std::string written = study::write_files(folder, kind, table, findings, command);
+  std::cout << "results in " << folder.path().string() << ":" << written << '\n';
+
+  // 4. A case that left no record is a failure of the study; one that did not arrive is not.
+  int lost = 0;
+  for (const study::Row& row : table.rows)
+    if (!row.record.contains("case")) {
+      if (lost++ == 0) std::cerr << "study: " << row.status() << ": " << row.record.at("command");
+    }
+  if (lost > 0) std::cerr << (lost > 1 ? ", and others" : "") << '\n';
+  return lost > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Solves the combinations of any options of a scene, and shows what they tell",
+               "study"};
+  Asked asked;
+  app.add_option("KIND", asked.kind, "Kind of study: converge, cost, stability, sweep, ladder")
+      ->required();
+  app.add_option("SCENE", asked.scene,
+                 "Scene, followed by any of its options; a value may be a list (5,10,20) or a "
+                 "range: A:B:N (N values), A:B:+d (steps), A:B:x2, A:B:/10 (factors)")
+      ->required();
+  io::add_text(app, "--quantity", asked.quantity,
+               "Results or errors to show, joined by commas; default: the scene's own");
+  io::add_integer(app, "--jobs", asked.run.jobs,
+                  "Cases at a time; default: one if times are measured, else two", 1, 1024)
+      ->default_str("");
+  io::add_real(app, "--time-limit", asked.run.time_limit, "Seconds that a case may take", 1, 1e6);
+  app.add_flag("--list", asked.list, "Only list the command lines of the cases");
+  io::add_text(app, "--merge", asked.merge,
+               "Solve nothing; take the records from these folders, joined by commas");
+  io::add_text(app, "--output", asked.output, "Folder; default results/study/KIND-SCENE");
+  std::vector<std::string> own = own_words(app, argc, argv, asked.scene_words);
+  std::vector<char*> pointers;
+  for (std::string& word : own) pointers.push_back(word.data());
+  const std::string line = line_of(argc, argv);
+  return io::run_program(app, static_cast<int>(pointers.size()), pointers.data(),
+                         [&] { return run(asked, line); });
+}
