@@ -112,6 +112,10 @@ double as_number(const std::string& value) {
   return is_in_degrees ? product * std::numbers::pi / 180 : product;
 }
 
+bool is_numeric(const Varied& option) {
+  return std::ranges::all_of(option.values, is_number);
+}
+
 std::vector<std::string> errors_to_show(Table& table, const std::vector<std::string>& of_problem) {
   const json& description = table.program.description;
   std::vector<std::string> names = table.quantities;

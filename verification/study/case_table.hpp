@@ -36,6 +36,9 @@ std::vector<Curve> curves_of(const Table& table, const std::vector<std::string>&
 /// The value of an option as a number: of a mesh (9x13) the product. NaN if it is none.
 double as_number(const std::string& value);
 
+/// Whether all values of an option are numbers.
+bool is_numeric(const Varied& option);
+
 /// The names of the errors that a chart shows: of the quantities asked for, or of the scene's main
 /// one. Of a quantity that nothing exact is known of, and no --reference, every row gets its
 /// relative error against the finest mesh, the least regularised, among the rows with the same

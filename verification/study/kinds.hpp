@@ -23,6 +23,8 @@ struct Findings {
 struct Kind {
   std::string name, question;
   bool measures_time = false;  ///< cases run alone, unless --jobs is given
+  /// Throws io::UserError if the options that vary are not enough for it.
+  void (*admit)(const Table& table);
   Findings (*find)(Table& table);
 };
 
@@ -40,6 +42,9 @@ Findings stability(Table& table);
 Findings sweep(Table& table);
 /// The models of a scene beside each other: how far apart, and what each takes.
 Findings ladder(Table& table);
+
+/// The first option that varies in numbers: a sweep is along it. Throws io::UserError if none does.
+Varied axis_of_sweep(const Table& table);
 
 /// The order that errors of these sizes show: over the last four of those that fall, from the
 /// coarsest on, by a third at least from one to the next finer; what comes after is round-off, or

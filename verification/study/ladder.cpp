@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/io/options.hpp"
 #include "common/program/model_choice.hpp"
 #include "verification/study/kinds.hpp"
 
@@ -28,9 +27,6 @@ double apart(const Row& row, const Row& poorest, const std::vector<std::string>&
 
 Findings ladder(Table& table) {
   constexpr const char* model = "--model";
-  const auto axes = table.axes();
-  if (std::ranges::none_of(axes, [](const Varied& axis) { return axis.name == "--model"; }))
-    throw io::UserError("ladder: it takes several values of --model");
   const auto quantities = compared_quantities(table);
   Findings found;
   io::Table rungs{"the models, poorest first",

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <map>
 
-#include "common/io/options.hpp"
 #include "verification/study/kinds.hpp"
 
 namespace talus::study {
@@ -44,13 +43,9 @@ io::Map map_of(const std::vector<const Row*>& rows, const Varied& across, const 
 
 Findings stability(Table& table) {
   const auto axes = table.axes();
-  if (axes.empty()) throw io::UserError("stability: no option has several values");
   // The first two that are numbers, or whatever varies.
   std::vector<Varied> by = axes;
-  std::ranges::stable_partition(by, [](const Varied& axis) {
-    return std::ranges::all_of(axis.values,
-                               [](const auto& value) { return std::isfinite(as_number(value)); });
-  });
+  std::ranges::stable_partition(by, is_numeric);
   const Varied across = by.size() > 1 ? by[1] : by[0];
   const Varied up = by.size() > 1 ? by[0] : Varied{"", {""}};
   const auto letters = letters_of(table);

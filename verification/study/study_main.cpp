@@ -70,6 +70,7 @@ int run(Asked& asked, const std::string& command) {
   const study::Kind& kind = study::kind_named(asked.kind);
   study::Table table{study::program_of(asked.scene), {}, {}};
   table.varied = study::varied_options(table.program, asked.scene_words);
+  kind.admit(table);
   if (!asked.quantity.empty()) table.quantities = io::split(asked.quantity, ',');
   for (const std::string& each : table.quantities) {
     const bool is_error = each.rfind("error_", 0) == 0;

@@ -7,22 +7,22 @@
 
 namespace talus::study {
 
+Varied axis_of_sweep(const Table& table) {
+  for (const Varied& axis : table.axes())
+    if (is_numeric(axis)) return axis;
+  throw io::UserError("sweep: no option has several numbers to be swept along");
+}
+
 Findings sweep(Table& table) {
-  const auto axes = table.axes();
-  const auto along = std::ranges::find_if(axes, [](const Varied& axis) {
-    return std::ranges::all_of(axis.values,
-                               [](const auto& value) { return std::isfinite(as_number(value)); });
-  });
-  if (along == axes.end())
-    throw io::UserError("sweep: no option has several numbers to be swept along");
+  const Varied along = axis_of_sweep(table);
   std::vector<std::string> quantities = table.quantities;
   if (quantities.empty()) quantities = {table.program.description.at("main_quantity")};
-  const auto curves = curves_of(table, {along->name});
+  const auto curves = curves_of(table, {along.name});
   Findings found;
   io::Figure figure{"sweep", "", {}, static_cast<int>(std::min<std::size_t>(quantities.size(), 2))};
   for (const std::string& quantity : quantities) {
     io::Panel panel{
-        quantity,  along->name.substr(2), table.label_of(quantity), false, false, {}, std::nullopt,
+        quantity,  along.name.substr(2), table.label_of(quantity), false, false, {}, std::nullopt,
         "top left"};
     std::map<std::string, io::Curve> failures;
     double lowest = std::numeric_limits<double>::infinity();
@@ -31,7 +31,7 @@ Findings sweep(Table& table) {
     for (const Curve& curve : curves) {
       io::Curve drawn{curve.label, {}, {}};
       for (const Row* row : curve.rows) {
-        const double x = as_number(row->option(along->name)), y = row->number(quantity);
+        const double x = as_number(row->option(along.name)), y = row->number(quantity);
         if (row->is_success() && std::isfinite(y)) {
           drawn.x.push_back(x);
           drawn.y.push_back(y);
@@ -48,7 +48,7 @@ Findings sweep(Table& table) {
     for (const auto& [_, mark] : failures) panel.curves.push_back(mark);
     figure.panels.push_back(panel);
   }
-  figure.caption = "Along " + along->name + ": " + count_of_ends(all_rows(table)) +
+  figure.caption = "Along " + along.name + ": " + count_of_ends(all_rows(table)) +
                    ". Cases that did not arrive are marked on the lower edge.";
   found.chapter.figure(figure);
   return found;
