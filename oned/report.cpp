@@ -23,6 +23,8 @@ json header(const ShearScene& scene, const RunParameters& parameters) {
   return {{"scene", scene.name},
           {"model", parameters.model},
           {"parameters", parameters_as_json(scene, parameters)},
+          {"elements", parameters.mesh.elements},
+          {"element_size", scene.length / parameters.mesh.elements},
           {"regime", rheology::name_of(scene.regime())},
           {"limits", scene.limits}};
 }

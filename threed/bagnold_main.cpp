@@ -24,10 +24,13 @@ int main(int argc, char** argv) {
   io::add_angle(app, "--angle", bagnold.angle, "Inclination α", 1e-3, 1.57);
   io::add_real(app, "--height", bagnold.height, "Depth of the layer H, in d", 1e-3, 1e6);
   threed::add_options(app, options, "bagnold");
-  return io::run_program(app, argc, argv, [&] {
+  const scene::Description description =
+      threed::description_of(scene_of(bagnold), {"--angle", "--height", "--friction"});
+  scene::Case a_case(app, description);
+  return a_case.run_program(argc, argv, [&] {
     bagnold.law = friction_law(options.method);
     bagnold.regularisation = limiting_law(options.method);
     return run(app, scene_of(bagnold), options,
-               {{"angle", bagnold.angle}, {"height", bagnold.height}});
+               {{"angle", bagnold.angle}, {"height", bagnold.height}}, a_case);
   });
 }

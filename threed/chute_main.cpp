@@ -35,10 +35,13 @@ int main(int argc, char** argv) {
                  "[0 ... 0.99]")
       ->type_name("FLOAT")
       ->expected(0, 1);
-  return io::run_program(app, argc, argv, [&] {
+  const scene::Description description =
+      threed::description_of(scene_of(chute), {"--pressure", "--width", "--friction"});
+  scene::Case a_case(app, description);
+  return a_case.run_program(argc, argv, [&] {
     chute.law = friction_law(options.method);
     chute.regularisation = limiting_law(options.method);
     return run(app, scene_of(chute), options,
-               {{"pressure", chute.pressure}, {"width", chute.width}});
+               {{"pressure", chute.pressure}, {"width", chute.width}}, a_case);
   });
 }

@@ -89,9 +89,8 @@ void add_options(CLI::App& app, ProgramOptions& options) {
   io::add_choice(app, "--wall", options.wall,
                  "Side wall: without slip, or with friction mu_2 p where it slips",
                  {"no-slip", "friction"});
-  io::add_text(
-      app, "--elements", options.elements,
-      "Elements ACROSSxUP of half the section; in space ALONGxACROSSxUP, default 1x70x100")
+  io::add_text(app, "--elements", options.elements,
+               "Elements ACROSSxUP of half the section; in space ALONGxACROSSxUP, default 1x70x100")
       ->type_name("MESH");
   io::add_choice(app, "--start", options.start,
                  "Where Newton starts: at rest, on ever finer meshes (default in space), or "

@@ -8,6 +8,7 @@
 //   manufactured --model space --mesh distorted --elements 3 --tangent primal-dual --threads 2
 //   manufactured --model space --elements 2 --check-jacobian
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 
 #include "common/io/options.hpp"
@@ -15,6 +16,7 @@
 #include "common/program/penalty_options.hpp"
 #include "common/program/summary.hpp"
 #include "common/program/work.hpp"
+#include "common/scene/case.hpp"
 #include "common/solve/parallel.hpp"
 #include "threed/manufactured.hpp"
 
@@ -110,7 +112,7 @@ void print(const flow::ShearSolution& record, const flow::FlowErrors& errors) {
 }
 
 template <int Dim>
-int run(const Options& options) {
+int run(const Options& options, scene::Case& a_case) {
   // 1. The flow, the law and the mesh.
   const auto manufactured = case_of<Dim>(options);
   const auto& family = family_of<Dim>(options);
@@ -118,14 +120,16 @@ int run(const Options& options) {
   program::admit("manufactured", "--elements",
                  [&](double share) { return task_at(options, share); });
   solve::set_threads(options.threads);
+  if (a_case.is_dry_run()) return 0;
   if (options.check_jacobian)
     return program::report(
         "manufactured", threed::check_manufactured(manufactured, family, options.elements, method));
-  const io::ResultFolder folder(options.output);
+  const io::ResultFolder folder = a_case.folder(options.output);
   folder.remove_older({"summary.json", "newton.csv"});
 
   // 2. The nonlinear solve, from the exact flow.
-  const auto solution = threed::solve_manufactured(manufactured, family, options.elements, method);
+  const auto solution = a_case.timed(
+      [&] { return threed::solve_manufactured(manufactured, family, options.elements, method); });
   flow::ShearSolution record;
   record.newton = {solution.newton, {}, manufactured.exact.lambda_r};
   record.end = solution.newton.end;
@@ -137,15 +141,20 @@ int run(const Options& options) {
                             {"model", options.model},
                             {"parameters", parameters(options, manufactured)}};
   program::add_outcome(summary, record);
+  summary["elements"] = static_cast<int>(std::pow(options.elements, Dim));
+  summary["element_size"] = 1. / options.elements;  // of an edge
   summary["unknowns"] = solution.unknowns;
   summary["condensed_unknowns"] = solution.condensed;
   summary["factorisations"] = solution.factorisations;
   summary["factor_entries"] = solution.factor_entries;
   summary["results"] = is_solved ? results_of(solution.errors) : nlohmann::json::object();
+  a_case.complete(summary);
   print(record, solution.errors);
   folder.write("newton.csv", io::to_csv(program::iteration_table(record)));
   folder.write("summary.json", summary.dump(2) + "\n");
-  std::cout << "results in " << folder.path().string() << ": summary.json newton.csv\n";
+  a_case.write(summary);
+  if (!folder.is_nowhere())
+    std::cout << "results in " << folder.path().string() << ": summary.json newton.csv\n";
 
   // 4. The exit code says whether the numbers can be trusted.
   if (is_solved) return 0;
@@ -153,6 +162,22 @@ int run(const Options& options) {
             << ": check the tangent with --check-jacobian, try a larger --lambda-r, more "
                "--elements or --tangent primal-dual\n";
   return 1;
+}
+
+const scene::Description& description() {
+  static const scene::Description manufactured{
+      .name = "manufactured",
+      .title = "manufactured flows",
+      .models = {"plane", "space"},
+      .mesh_option = "--elements",
+      .problem_options = {"--flow", "--regularisation", "--lambda-r", "--friction", "--no-inertia"},
+      .main_quantity = "divergence",
+      .main_error = "error_velocity_l2",
+      .quantities = {{"error_velocity_l2", "1", "error of the velocity in L2"},
+                     {"error_velocity_h1", "1", "error of the velocity gradient in L2"},
+                     {"error_pressure_l2", "1", "error of the pressure in L2"},
+                     {"divergence", "1", "of the velocity, in L2"}}};
+  return manufactured;
 }
 
 void add_options(CLI::App& app, Options& o) {
@@ -189,10 +214,11 @@ int main(int argc, char** argv) {
   CLI::App app{"Manufactured dense granular flows in velocity and pressure", "manufactured"};
   Options options;
   add_options(app, options);
-  return io::run_program(app, argc, argv, [&] {
+  scene::Case a_case(app, description());
+  return a_case.run_program(argc, argv, [&] {
     io::refuse_unused(app, {{{"--tolerance", "--max-iterations", "--output"},
                              !options.check_jacobian,
                              "--check-jacobian"}});
-    return options.model == "plane" ? run<2>(options) : run<3>(options);
+    return options.model == "plane" ? run<2>(options, a_case) : run<3>(options, a_case);
   });
 }

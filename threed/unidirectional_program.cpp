@@ -148,7 +148,8 @@ void write_files(const io::ResultFolder& folder, const ShearScene& scene,
     if (options.plot) written += io::draw(folder, {profile_figure(scene, {{label, &solution}})});
   }
   folder.write("summary.json", summary.dump(2) + "\n");
-  std::cout << "results in " << folder.path().string() << ":" << written << '\n';
+  if (!folder.is_nowhere())
+    std::cout << "results in " << folder.path().string() << ":" << written << '\n';
 }
 
 std::string advice_for(const UnidirectionalProgram& options, solve::End end) {
@@ -178,7 +179,7 @@ void add_options(CLI::App& app, UnidirectionalProgram& options, const std::strin
 }
 
 int run(const CLI::App& app, const ShearScene& scene, const UnidirectionalProgram& options,
-        const json& parameters) {
+        const json& parameters, scene::Case& a_case) {
   refuse_unused(app, options);
 
   // 1. The mesh, and what is to be solved on it.
@@ -187,27 +188,33 @@ int run(const CLI::App& app, const ShearScene& scene, const UnidirectionalProgra
   const std::vector<double> across = oned::boundaries(scene, run.mesh);
   program::admit(scene.name, "--elements", [&](double share) { return task_at(options, share); });
   solve::set_threads(options.threads);
+  if (a_case.is_dry_run()) return 0;
   if (options.check_jacobian)
     return program::report(scene.name, check_jacobian(options.model, scene, across, method));
-  const io::ResultFolder folder(options.output);
+  const io::ResultFolder folder = a_case.folder(options.output);
   folder.remove_older(files());
 
   // 2. The limits of existence come first: past them a mesh can return a number all the same.
   if (scene.regime() == rheology::Regime::no_steady_state) {
-    folder.write("summary.json", oned::refusal(scene, run).dump(2) + "\n");
+    json refusal = oned::refusal(scene, run);
+    a_case.complete(refusal);
+    folder.write("summary.json", refusal.dump(2) + "\n");
+    a_case.write(refusal);
     std::cerr << scene.name << ": no_steady_state: the load exceeds mu_2 p (" << scene.limits
               << "); " << solve::advice_for(solve::End::no_steady_state) << '\n';
     return 1;
   }
 
   // 3. The nonlinear solve, from rest.
-  const Found found = solve(options.model, scene, across, method);
+  const Found found = a_case.timed([&] { return solve(options.model, scene, across, method); });
   const oned::Solution& solution = found.line;
 
   // 4. What came out, against the exact solution, and the files.
-  const json results = summary(scene, run, found);
+  json results = summary(scene, run, found);
+  a_case.complete(results);
   print(scene, run, found, results["results"]);
   write_files(folder, scene, options, solution, results);
+  a_case.write(results);
 
   // 5. The exit code says whether the numbers can be trusted.
   if (solve::is_success(solution.end)) return 0;

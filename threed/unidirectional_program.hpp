@@ -6,6 +6,7 @@
 
 #include "common/program/method_options.hpp"
 #include "common/program/penalty_options.hpp"
+#include "common/scene/case.hpp"
 #include "oned/report.hpp"
 #include "threed/unidirectional_solve.hpp"
 
@@ -27,9 +28,13 @@ struct UnidirectionalProgram {
 /// Adds the shared options; set `options.method.lambda_r` to the scene's default first.
 void add_options(CLI::App& app, UnidirectionalProgram& options, const std::string& scene);
 
+/// What `chute` and `bagnold` say of themselves; `problem_options` are those of the scene alone.
+scene::Description description_of(const oned::ShearScene& scene,
+                                  const std::vector<std::string>& problem_options);
+
 /// Limits, mesh, solve, measure, write. `parameters` are the scene's own, for summary.json.
 /// Returns the exit code: 0, or 1 where the solve or the Jacobian check does not succeed.
 int run(const CLI::App& app, const oned::ShearScene& scene, const UnidirectionalProgram& options,
-        const nlohmann::json& parameters);
+        const nlohmann::json& parameters, scene::Case& a_case);
 
 }  // namespace talus::threed
