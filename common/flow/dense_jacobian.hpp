@@ -23,13 +23,15 @@ template <int Dim>
 double product_error(DenseFlow<Dim>& problem, const solve::CompensatedVector& state);
 
 /// How well the condensed system solves, without refinement, the assembled one that it stands for:
-/// max|b - A x| over max(|A||x| + |b|) of the same kind of row (momentum, mass), b random.
+/// max|b - A x| over max(|A||x| + |b|) of the same kind of row (momentum, mass), b random. Rounding
+/// counts where 1/λp outweighs the viscosity.
 template <int Dim>
-double condensation_error(DenseFlow<Dim>& problem, const solve::CompensatedVector& state);
+solve::SystemError condensation_error(DenseFlow<Dim>& problem,
+                                      const solve::CompensatedVector& state);
 
 /// Checks the tangent of a scene's space and law at states that need no solve: the law alone, at
-/// rest, in plug, at yield and in flow under about this pressure, in flow at a tiny and at a
-/// negative one. Loads only add constants and are left out.
+/// rest, in plug, at yield and in flow under about this pressure, just in flow at a tiny one and in
+/// flow at a negative one. Loads only add constants and are left out.
 template <int Dim>
 std::vector<solve::NamedCheck> check_jacobian(const DenseFlow<Dim>& scene, double pressure);
 

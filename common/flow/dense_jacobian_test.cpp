@@ -1,9 +1,13 @@
 // Is the tangent of velocity-pressure flow its derivative, for every law, wherever it is awkward?
 #include "common/flow/dense_jacobian.hpp"
 
+#include <random>
+#include <sstream>
+
 #include <boost/test/unit_test.hpp>
 
 #include "common/flow/dense_test_problems.hpp"
+#include "common/solve/jacobian_entries.hpp"
 
 using namespace talus;
 using namespace talus::flow;
@@ -44,6 +48,44 @@ Eigen::VectorXd advection(const DenseSpace<2>& space, const solve::CompensatedVe
     }
   space.clear_fixed(result);
   return result;
+}
+
+std::string printed(const solve::JacobianCheck& check) {
+  std::ostringstream text;
+  solve::print(text, check);
+  return text.str();
+}
+
+// A percent off in some entries, drawn from all but those negligible in their rows.
+template <int Dim>
+void check_entries(const DenseSpace<Dim>& space, int draws) {
+  std::mt19937 random(1);
+  for (const double lambda : {1e-1, 1e-10})
+    for (const TestState& at : {flowing, TestState{"yield", lambda, 0, 0.5, 0}}) {
+      DenseFlow<Dim> problem(space, {{}, rheology::ChauchatMedale{}, lambda},
+                             test_load<Dim>(at.inertia), {Penalty::plain, 1e-2});
+      auto jacobian = jacobian_problem(problem, state_of(space, at));
+      const auto right = jacobian.product;
+      const Eigen::MatrixXd matrix = solve::claimed_matrix(jacobian);
+      const Eigen::MatrixXd scaled = matrix.cwiseAbs() * jacobian.scale.asDiagonal();
+      std::uniform_int_distribution<Eigen::Index> any(0, space.size() - 1);
+      for (int left = draws; left > 0;) {
+        const Eigen::Index row = any(random), column = any(random);
+        if (matrix(row, column) == 0 || scaled(row, column) < 1e-4 * scaled.row(row).maxCoeff())
+          continue;
+        --left;
+        jacobian.product = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
+          Eigen::VectorXd product = right(v);
+          product[row] += 0.01 * matrix(row, column) * v[column];
+          return product;
+        };
+        const auto result = solve::check_jacobian(jacobian);
+        BOOST_TEST(name_of(result.verdict()) == "WRONG",
+                   Dim << "D, " << at.name << ", " << lambda << ": " << row << ", " << column);
+        BOOST_TEST(result.entries.row == row);
+        BOOST_TEST(result.entries.column == column);
+      }
+    }
 }
 
 }  // namespace
@@ -88,9 +130,14 @@ BOOST_AUTO_TEST_CASE(a_part_of_the_tangent_left_out_or_with_its_sign_wrong_is_ca
 
 // What --check-jacobian tries.
 BOOST_AUTO_TEST_CASE(a_scene_passes_at_every_state_and_fails_with_any_part_of_its_tangent_broken) {
-  const DenseSpace<2> space(awkward_mesh2(2, 1), mixed_conditions<2>());
+  const auto without_traction = [](auto conditions) {
+    conditions["top"] = {};  // its rounding would hide stresses of 1e-11
+    return conditions;
+  };
+  const DenseSpace<2> space(awkward_mesh2(2, 1), without_traction(mixed_conditions<2>()));
   const std::vector<double> once{0, 1};
-  const DenseSpace<3> space3(curved(box_mesh(once, once, once)), mixed_conditions<3>());
+  const DenseSpace<3> space3(curved(box_mesh(once, once, once)),
+                             without_traction(mixed_conditions<3>()));
   const auto worst = [](const auto& scene, double pressure) {
     auto verdict = solve::Verdict::right;
     for (const auto& [state, check] : check_jacobian(scene, pressure))
@@ -116,6 +163,56 @@ BOOST_AUTO_TEST_CASE(a_scene_passes_at_every_state_and_fails_with_any_part_of_it
   BOOST_TEST(worst(scene, 1) == "ok");
   scene.set_tangent_factors({1, 2, 1});
   BOOST_TEST(worst(scene, 1) == "WRONG");
+}
+
+// The block of a plain penalty is linear, and tiny beside the divergence where the pressure is.
+BOOST_AUTO_TEST_CASE(a_plain_penalty_is_right_at_every_state_and_wrong_with_its_block_changed) {
+  auto conditions = mixed_conditions<2>(false);
+  conditions["top"] = {};  // the rounding of a traction would hide the viscosity that is left
+  const DenseSpace<2> space(awkward_mesh2(2, 1), conditions);
+  std::size_t count = 0;
+  for (const auto& law : rheology::regularisations())
+    for (const double each : {1e-1, 1e-4, 1e-7, 1e-10}) {
+      const double lambda_p = count % 2 == 0 ? 1e-8 : 1e-4, inertia = count % 3 == 0 ? 0 : 1;
+      const DenseFlow<2> scene(space, {{}, law, each}, test_load<2>(inertia),
+                               {Penalty::plain, lambda_p});
+      ++count;
+      for (const auto& [state, check] : check_jacobian(scene, 1)) {
+        BOOST_TEST(name_of(check.verdict()) == "ok", rheology::name_of(law)
+                                                         << ", " << each << ", " << lambda_p << ", "
+                                                         << state << '\n'
+                                                         << printed(check));
+      }
+    }
+  for (const double lambda_p : {1e-2, 1e-5, 1e-8, 1e-10}) {
+    DenseFlow<2> problem(space, rheology_of(rheology::ChauchatMedale{}), test_load<2>(1),
+                         {Penalty::plain, lambda_p});
+    auto jacobian = jacobian_problem(problem, state_of(space, flowing));
+    BOOST_TEST(name_of(solve::check_jacobian(jacobian).verdict()) == "ok", lambda_p);
+    const auto right = jacobian.product;
+    const Eigen::Index pressures = space.size() - space.velocity_count();
+    for (const double factor : {2.0, 0.5, 0.0, -1.0, 1.01, 0.99}) {
+      jacobian.product = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
+        Eigen::VectorXd pressure = v, product = right(v);
+        pressure.head(space.velocity_count()).setZero();
+        product.tail(pressures) += (factor - 1) * right(pressure).tail(pressures);
+        return product;
+      };
+      BOOST_TEST(name_of(solve::check_jacobian(jacobian).verdict()) == "WRONG",
+                 lambda_p << ", factor " << factor);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(one_entry_a_percent_off_is_wrong_and_located_on_the_smallest_meshes) {
+  const std::vector<double> once{0, 1}, twice{0, 0.4, 1};
+  const auto mesh = [](const auto& x, const auto& y, const auto& z) {
+    return curved(box_mesh(x, y, z));
+  };
+  check_entries(DenseSpace<2>(awkward_mesh2(1, 1), mixed_conditions<2>()), 12);
+  check_entries(DenseSpace<3>(mesh(once, once, once), mixed_conditions<3>()), 12);
+  check_entries(DenseSpace<3>(mesh(once, twice, twice), mixed_conditions<3>()), 2);
+  check_entries(DenseSpace<3>(mesh(twice, once, twice), mixed_conditions<3>()), 2);
 }
 
 BOOST_AUTO_TEST_CASE(a_percent_missing_at_the_open_boundary_is_caught) {

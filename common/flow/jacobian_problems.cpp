@@ -131,7 +131,9 @@ solve::JacobianProblem jacobian_problem(ShearFlow<Dim>& problem, const CrossSect
           blocks,
           blocks,
           nodal_scale(space, width),
-          [linearised, &space, state] { return solve_error(*linearised, space, state); }};
+          [linearised, &space, state] {
+            return solve::SystemError{solve_error(*linearised, space, state)};
+          }};
 }
 
 template <int Dim>

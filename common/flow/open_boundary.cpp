@@ -23,6 +23,7 @@ OpenSide<Dim> open_side(const DenseSpace<Dim>& space, const rheology::Rheology& 
     const Point<Dim> traction = v.eta * drag - pressure * point.normal;
     for (int a = 0; a < DenseSpace<Dim>::nodes_per_element; ++a) {
       const double weight = point.weight * at.values[a];
+      if (weight == 0) continue;  // not a node of this side
       side.force.template segment<Dim>(Dim * a) -= weight * traction;
       side.magnitude.template segment<Dim>(Dim * a) +=
           std::abs(weight) *

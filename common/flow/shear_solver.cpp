@@ -123,7 +123,9 @@ std::vector<NamedCheck> check_interior_point(CrossSection<Dim>& space, const She
     auto jacobian = jacobian_problem(problem, space, state);
     // In two dimensions the elimination is exact on the central path only.
     if (Dim == 1 || on_path)
-      jacobian.system_error = [&problem, state] { return elimination_error(problem, state); };
+      jacobian.system_error = [&problem, state] {
+        return solve::SystemError{elimination_error(problem, state)};
+      };
     checks.push_back({name, solve::check_jacobian(jacobian)});
   };
   check("start", problem.start(), true);

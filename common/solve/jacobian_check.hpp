@@ -24,6 +24,11 @@ struct Block {
   std::vector<Eigen::Index> indices;
 };
 
+/// Relative to the size of its terms, and how much of it may be round-off.
+struct SystemError {
+  double value = 0, round_off = 0;
+};
+
 /// What is checked: a residual around a fixed state and its claimed derivative there.
 struct JacobianProblem {
   Eigen::Index size = 0;
@@ -33,9 +38,9 @@ struct JacobianProblem {
   /// Displacement of each unknown over which the residual may curve: steps go down from there.
   /// Empty: 1 for all.
   Eigen::VectorXd scale = {};
-  /// How far the system that Newton factors and solves is from the claimed derivative, relative to
-  /// the size of its terms. Empty: it is not asked.
-  std::function<double()> system_error = {};
+  /// How far the system that Newton factors and solves is from the claimed derivative. Empty: it is
+  /// not asked.
+  std::function<SystemError()> system_error = {};
 };
 
 /// What a test has found out. Only `right` is a pass.
@@ -56,8 +61,8 @@ struct TaylorTest {
   double slope = std::numeric_limits<double>::quiet_NaN();
   /// Bound on the part of the remainder that falls like the step, relative to J v.
   double linear_part = std::numeric_limits<double>::quiet_NaN();
-  /// Right: slope of at least 1.8, or a linear part of at most 1e-7. The latter where second and
-  /// third order cancel within the window, as at rest.
+  /// Right: slope of at least 1.8 and a linear part of at most a per cent, or one of at most 1e-7.
+  /// The latter where second and third order cancel within the window, as at rest.
   Verdict verdict = Verdict::not_tested;
 
   bool passed() const { return verdict == Verdict::right; }
@@ -79,7 +84,7 @@ struct EntryTest {
 struct SystemTest {
   bool is_asked = false;
   double error = 0;
-  Verdict verdict = Verdict::not_tested;  ///< right: at most 1e-6
+  Verdict verdict = Verdict::not_tested;  ///< right: at most 1e-6 beyond round-off
 };
 
 struct JacobianCheck {
