@@ -99,7 +99,7 @@ RungCase beyond_yield(twod::Cylinder scene, double loading, double push = 1) {
 
 std::vector<Rung> cylinder_rungs(const Context& context) {
   const std::vector<int> arounds = context.full ? std::vector{16, 40} : std::vector{16};
-  Rung rung{"cylinder", "2D", "one layer of H27", 1e-9, {}};
+  Rung rung{"cylinder", "the plane", "one layer of H27", 1e-9, {}};
   for (const int around : arounds) {
     for (const double loading : context.full ? std::vector{0.02, 0.04} : std::vector{0.02})
       rung.cases.push_back(creep(scene_around(around), loading));

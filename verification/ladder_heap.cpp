@@ -46,7 +46,7 @@ RungCase climb(const threed::Heap& heap, const threed::HeapMesh& mesh) {
 
 std::vector<Rung> heap_rungs(const Context& context) {
   threed::Heap heap;
-  Rung rung{.scene = "heap", .poorer = "its cross-section", .richer = "3D", .cases = {}};
+  Rung rung{.scene = "heap", .poorer = "its cross-section", .richer = "space", .cases = {}};
   for (const double angle : {0.38, 0.41}) {
     heap.section.angle = angle;
     for (const auto& mesh : context.full ? std::vector<twod::SectionMesh>{{35, 50}, {70, 100}}

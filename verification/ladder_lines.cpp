@@ -53,7 +53,7 @@ RungCase climb(const oned::ShearScene& scene, const oned::ShearScene& driven,
 
 template <int Dim>
 Rung rung_of(const oned::ShearScene& scene, int elements) {
-  Rung rung{scene.title, "1D", std::to_string(Dim) + "D", 1e-10, {}};
+  Rung rung{scene.title, "the line", Dim == 2 ? "the plane" : "space", 1e-10, {}};
   for (const auto& law : rheology::regularisations())
     for (const double lambda_r : {1e-4, 1e-8})
       for (const double grading : {1.0, 2.0})
