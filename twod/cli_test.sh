@@ -25,6 +25,14 @@ has_row() {  # LOADING, first in its row
 
 has_file() { [ -s "$work/run/results/cylinder/$1" ] || { echo "no $1"; return 1; }; }
 
+# reached_by WAY...: how the last run came to each of its loadings.
+reached_by() {
+  local ways
+  ways=$(sed -n '/^  "reached": \[/,/^  \]/s/^      "by": "\(.*\)",$/\1/p' \
+    "$work/run/results/cylinder/summary.json")
+  [ "$ways" = "$(printf '%s\n' "$@")" ] || { echo "reached by: $ways"; return 1; }
+}
+
 # begins_like OLD NEW: NEW in the results has the lines of OLD, then others.
 begins_like() {
   local new="$work/run/results/cylinder/$2"
@@ -35,9 +43,10 @@ begins_like() {
     { echo "points of $2 are there twice"; return 1; }
 }
 
-# numbers FOLDER: all that a run leaves in tables and summary but the time it took.
+# numbers FOLDER: all that a run leaves in tables and summary but its command, time and memory.
 numbers() {
-  cat "$1/sweep.csv" "$1/path.csv" "$1/perimeter.csv" <(grep -v '"seconds"' "$1/summary.json")
+  cat "$1/sweep.csv" "$1/path.csv" "$1/perimeter.csv" \
+    <(grep -vE '"(command|(cpu_|wall_)?seconds|peak_memory)":' "$1/summary.json")
 }
 
 same_numbers() {  # AS: the last run left the same numbers as were written to this file
@@ -181,6 +190,29 @@ for way in "primal-dual lambda-r" "natural loading" "arclength loading"; do
   check expect_code 0
   check same_numbers "$work/at_once"
 done
+# Without a path as well: the first two loadings creep, the third does not.
+flow=("$cylinder" --around 16 --loading 0.03 0.045 0.05)
+check succeeds cylinder "${flow[@]}"
+numbers "$work/run/results/cylinder" >"$work/at_once"
+check reached_by "creep from rest" "newton from the load before" "path in λr"
+rm -rf "$work/run/results"
+for moment in 0.1 0.2 0.3; do
+  (cd "$work/run" && timeout -s KILL $moment "${flow[@]}" --resume >/dev/null 2>&1)
+done
+run_again "${flow[@]}" --resume
+check expect_code 0
+check same_numbers "$work/at_once"
+# What is asked for is done, creep or not; the flow is the same.
+drag=$(result drag)
+run "${flow[@]}" --continuation primal-dual
+check reached_by "path in λr" "path in λr" "path in λr"
+check agrees_to_1e_8 "$(result drag)" "$drag"
+run "$cylinder" --around 16 --loading 0.03 0.045 --route loading
+check reached_by "path in λr" "path in the loading"
+check_fails reached_by "path in λr" "path in λr"
+check_fails reached_by "path in λr"
+run "$cylinder" --around 16 --loading 0.03 --regularisation barker-gray  # no yield stress, no creep
+check reached_by "path in λr"
 run "$cylinder" --around 16 --loading 0.01 --lambda-r 1e-2 --resume
 check expect_code 0
 check expect_text stdout "no checkpoint in results/cylinder: from the start"

@@ -8,6 +8,7 @@
 #include <functional>
 #include <string>
 
+#include "common/flow/creep.hpp"
 #include "common/flow/dense_path.hpp"
 #include "common/solve/arclength.hpp"
 #include "twod/cylinder_mesh.hpp"
@@ -103,6 +104,10 @@ using CylinderPath = solve::Path<CylinderFlow::State>;
 /// A loading that the cylinder and the walls hold: a little above the onset in the empty channel.
 double held_loading(const Cylinder& scene);
 
+/// Whether it makes sense to look for creep: a law with a yield stress, a loading that walls and
+/// cylinder hold between them, or nearly so, and no plain penalty that gives way before friction.
+bool may_creep(const Cylinder& scene, double loading);
+
 /// Options with which paths of this scene are followed.
 solve::PathOptions cylinder_path_options();
 
@@ -114,9 +119,12 @@ CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading,
                              const solve::PathOptions& options = cylinder_path_options(),
                              const CylinderObserver& observe = {});
 
-/// Solves a loading that the cylinder holds, where velocities go with λr: Newton from rest at λr =
-/// 0.1, the velocities scaled to the scene's λr, Newton there. Far fewer factorisations than a
-/// path.
+/// Solves a loading that the cylinder holds, where velocities go with λr, without a path
+/// (common/flow/creep.hpp): from rest, or from the state, which creeps under `loading_before`. If
+/// it fails the state is as it was.
+flow::CreepSummary creep_to(CylinderFlow& cylinder, double loading, double loading_before,
+                            CylinderFlow::State& state, double tolerance = 1e-13);
+/// From rest.
 solve::NewtonSummary solve_creep(CylinderFlow& cylinder, double loading, CylinderFlow::State& state,
                                  double tolerance = 1e-13);
 

@@ -32,7 +32,7 @@ struct Options {
   twod::SweepOptions run;
   program::PenaltyOptions penalty{.plain = 1e-8};
   std::string sweep, regularisation = "chauchat-medale", friction;
-  std::string outflow = "fully-developed", continuation = "primal-dual", route;
+  std::string outflow = "fully-developed", continuation, route;
   std::string output = "results/cylinder";
   bool no_pressure_regularisation = false, no_inertia = false, plot = false;
   bool check_jacobian = false;
@@ -68,17 +68,19 @@ void read(Options& o) {
     if (o.outflow == twod::name_of_outflow(open)) scene.open_outlet = open;
   if (!o.sweep.empty()) o.run.loadings = read_sweep(o.sweep);
   if (!o.friction.empty()) scene.law = program::friction_law(o.friction, scene.law);
-  using twod::Continuation;
+  using twod::Continuation, twod::Route;
   for (const auto each :
        {Continuation::arclength, Continuation::natural, Continuation::primal_dual})
     if (o.continuation == twod::name_of(each)) o.run.continuation = each;
-  const bool is_direct = o.run.continuation == Continuation::primal_dual;
-  if (o.route.empty()) o.route = is_direct ? "lambda-r" : "loading";
-  o.run.route = o.route == "loading" ? twod::Route::loading : twod::Route::lambda_r;
+  for (const auto each : {Route::cheapest, Route::loading, Route::lambda_r})
+    if (o.route == twod::name_of(each)) o.run.route = each;
+  if (o.route.empty() && !o.continuation.empty())
+    o.run.route =
+        o.run.continuation == Continuation::primal_dual ? Route::lambda_r : Route::loading;
 }
 
 // With so many elements around, at a share of what was asked for. From rest to a loading by the way
-// that is the default takes some 50 factorisations (docs/cylinder.md).
+// that is the default takes some 50 factorisations, some 10 if it creeps (docs/cylinder.md).
 program::Task task_at(const Options& options, double share) {
   twod::CylinderMeshOptions mesh = options.run.scene.mesh;
   mesh.around = std::max(16, static_cast<int>(share * mesh.around) / 8 * 8);
@@ -87,9 +89,15 @@ program::Task task_at(const Options& options, double share) {
   const double width = (mesh.full ? 2 : 1) * mesh.half_width;
   const int across =
       static_cast<int>(std::ceil(std::sqrt(elements * width / (mesh.half_height + mesh.outlet))));
+  int factorisations = 0;
+  for (const double loading : options.run.loadings)
+    factorisations +=
+        options.run.route == twod::Route::cheapest && twod::may_creep(options.run.scene, loading)
+            ? 10
+            : 50;
   return {std::to_string(mesh.around),
           program::dense_work({across, static_cast<int>(std::ceil(elements / across)), 0}, 2,
-                              50 * static_cast<int>(options.run.loadings.size()))};
+                              factorisations)};
 }
 
 // What to try when a path does not arrive.
@@ -116,7 +124,7 @@ int run(Options& options, scene::Case& a_case) {
   const io::ResultFolder folder = a_case.folder(options.output);
   const solve::Stopwatch watch;
 
-  // 2. The paths from rest to every loading.
+  // 2. From rest to every loading, each in the cheapest way unless told otherwise.
   bool reached_all = false;
   const auto solved = a_case.timed([&] {
     auto sweep = std::make_unique<twod::CylinderSweep>(options.run, folder);
@@ -135,6 +143,8 @@ int run(Options& options, scene::Case& a_case) {
   summary["condensed_unknowns"] = sweep.cylinder().flow().system().unknowns();
   summary["iterations"] = summary["factorisations"] = sweep.factorisations();
   summary["folds"] = sweep.folds();
+  summary["reached"] = nlohmann::json::array();
+  for (const auto& arrival : sweep.arrivals()) summary["reached"].push_back(twod::as_json(arrival));
   summary["seconds"] = watch.seconds();
   summary["results"] = nlohmann::json::object();
   summary["sweep"] = nlohmann::json::array();
@@ -214,13 +224,16 @@ int main(int argc, char** argv) {
                "Friction law mu_s,delta_mu,I0 [each 0.001 ... 10; default 0.4,0.25,0.3]");
   program::add_penalty(app, o.penalty);
   app.add_flag("--no-inertia", o.no_inertia, "Leave out the advective term");
-  io::add_choice(app, "--continuation", o.continuation, "How paths are followed",
-                 {"primal-dual", "arclength", "natural"});
+  io::add_choice(app, "--continuation", o.continuation,
+                 "How paths are followed; primal-dual if it is not given",
+                 {"primal-dual", "arclength", "natural"})
+      ->default_str("");
   io::add_choice(
       app, "--route", o.route,
-      "To each loading: down in λr at the loading (default if primal-dual), or along the "
-      "loading from creep (default otherwise)",
-      {"loading", "lambda-r"})
+      "To each loading: without a path where it creeps, else down in λr (default without "
+      "--continuation); down in λr at the loading (default of primal-dual); or along the loading "
+      "from creep (default otherwise)",
+      {"cheapest", "loading", "lambda-r"})
       ->default_str("");
   io::add_integer(app, "--max-points", o.run.max_points, "Points of one path at most", 2, 100000);
   io::add_reals(app, "--confining-pressure", o.run.confining_pressures,

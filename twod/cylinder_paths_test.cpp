@@ -15,6 +15,21 @@ int folds(const CylinderPath& path) {
       path.points, [](const solve::PathPoint& point) { return point.is_fold_passed; }));
 }
 
+// Down in λr at the loading, the way that needs no creep.
+CylinderMeasures along_lambda_r(const Cylinder& scene, double loading) {
+  CylinderFlow cylinder(scene);
+  CylinderPath path = solve_from_rest(cylinder, loading);
+  BOOST_REQUIRE((path.end == PathEnd::target_reached));
+  solve_at(cylinder, loading, scene.lambda_r, path.next.state);
+  return measure(cylinder, path.next.state);
+}
+
+void check_same_flow(const CylinderMeasures& m, const CylinderMeasures& other) {
+  BOOST_TEST(relative(m.mean_velocity, other.mean_velocity) < 1e-8);
+  BOOST_TEST(relative(m.drag, other.drag) < 1e-8);
+  BOOST_TEST(relative(m.wall_force, other.wall_force) < 1e-8);
+}
+
 template <class Path>
 struct WithWrongDerivative : Path {
   using Path::Path;
@@ -118,4 +133,59 @@ BOOST_AUTO_TEST_CASE(tangent_steps_along_both_parameters_are_of_second_order) {
   const State state = creep(cylinder, 0.045);
   check_predictor_order<flow::RegularisationPath<2>>(cylinder, state, 0.02);
   check_predictor_order<flow::LoadPath<2>>(cylinder, state, 0.02);
+}
+
+BOOST_AUTO_TEST_CASE(a_creeping_load_takes_at_most_fifteen_factorisations_from_rest) {
+  for (const double lambda_r : {1e-6, 1e-3})
+    for (const double loading : {0.005, 0.02, 0.044, 0.0475}) {
+      CylinderFlow cylinder(cylinder_of(24, lambda_r));
+      State state;
+      const auto creep = creep_to(cylinder, loading, 0, state);
+      BOOST_TEST_MESSAGE("F = " << loading << ", λr = " << lambda_r << ": "
+                                << cylinder.flow().factorisations() << " factorisations");
+      BOOST_REQUIRE(solve::is_success(creep.newton.end));
+      BOOST_TEST(creep.loads == 1);
+      BOOST_TEST(cylinder.flow().factorisations() <= 15);
+      if (lambda_r < 1e-3 && loading > 0.01)
+        check_same_flow(measure(cylinder, state), along_lambda_r(cylinder.scene(), loading));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_creeping_load_takes_at_most_seven_factorisations_from_the_one_before) {
+  CylinderFlow cylinder(cylinder_of(32));
+  State state = creep(cylinder, 0.01);
+  double before = 0.01;
+  for (const double loading : {0.02, 0.03, 0.035, 0.04, 0.044, 0.046, 0.047, 0.0475, 0.046}) {
+    const int spent = cylinder.flow().factorisations();
+    const auto there = creep_to(cylinder, loading, before, state);
+    BOOST_REQUIRE(solve::is_success(there.newton.end));
+    BOOST_TEST(there.loads == 1);
+    BOOST_TEST(cylinder.flow().factorisations() - spent <= 7, "F = " << loading);
+    before = loading;
+  }
+  check_same_flow(measure(cylinder, state), along_lambda_r(cylinder.scene(), before));
+}
+
+BOOST_AUTO_TEST_CASE(a_load_that_does_not_creep_costs_little_and_leaves_the_state) {
+  CylinderFlow cylinder(cylinder_of(24));
+  const State creeping = creep(cylinder, 0.04);
+  for (const double before : {0.04, 0.0}) {
+    State state = creeping;
+    const int spent = cylinder.flow().factorisations();
+    const auto there = creep_to(cylinder, 0.056, before, state);
+    BOOST_TEST(!solve::is_success(there.newton.end));
+    BOOST_TEST(there.failures > 0);
+    BOOST_TEST(cylinder.flow().factorisations() - spent <= 28);
+    BOOST_TEST(cylinder.flow().load_factor() == 0.056);
+    BOOST_TEST(!cylinder.flow().carries_stress());
+    BOOST_TEST((state.value() == creeping.value() && state.correction() == creeping.correction()));
+  }
+  BOOST_TEST(may_creep(cylinder.scene(), 0.0485));
+  BOOST_TEST(!may_creep(cylinder.scene(), 0.05));
+  Cylinder fluid = cylinder.scene();
+  fluid.regularisation = *rheology::regularisation_named("barker-gray");
+  BOOST_TEST(!may_creep(fluid, 0.02));
+  Cylinder soft = cylinder.scene();
+  soft.penalty = {flow::Penalty::plain, 10 * soft.lambda_r};
+  BOOST_TEST(!may_creep(soft, 0.02));
 }

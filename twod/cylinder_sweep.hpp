@@ -13,16 +13,28 @@
 
 namespace talus::twod {
 
-/// To each loading: along the loading at the scene's λr, having crept in well below yield; or down
-/// in λr at the loading itself.
-enum class Route { loading, lambda_r };
+/// To each loading: without a path where it creeps (flow/creep.hpp), else down in λr; along the
+/// loading at the scene's λr, having crept in well below yield; or down in λr at the loading
+/// itself.
+enum class Route { cheapest, loading, lambda_r };
+std::string name_of(Route route);
+
+/// How a loading was reached.
+struct Arrival {
+  double loading = 0;
+  std::string by;          ///< from the load before, from rest, or along the path that led there
+  int loads = 1;           ///< solved on the way without a path, this one included
+  int factorisations = 0;  ///< since the loading before, attempts in vain included
+};
+nlohmann::json as_json(const Arrival& arrival);
+Arrival arrival_from(const nlohmann::json& json);
 
 struct SweepOptions {
   Cylinder scene;
   std::vector<double> loadings = {0.054};
   std::vector<double> confining_pressures = {1, 2, 3, 5, 10};  ///< in φρgD, for the tables
   Continuation continuation = Continuation::primal_dual;
-  Route route = Route::lambda_r;
+  Route route = Route::cheapest;
   int max_points = 400;  ///< of one path
   bool resume = false;   ///< go on from the checkpoint in the folder, if there is one
 };
@@ -42,6 +54,7 @@ class CylinderSweep {
   const nlohmann::json& parameters() const { return parameters_; }
   const std::vector<PathRecord>& records() const { return records_; }  ///< before --resume too
   const std::vector<CylinderMeasures>& reached_loadings() const { return sweep_; }
+  const std::vector<Arrival>& arrivals() const { return arrivals_; }  ///< one a loading reached
   const std::vector<io::SeriesEntry>& series() const { return series_; }
   /// "converged" if all were reached, else how the last path, or Newton after it, ended.
   const std::string& status() const { return status_; }
@@ -51,6 +64,7 @@ class CylinderSweep {
 
  private:
   std::size_t reached() const { return sweep_.size(); }
+  int factorisations_since_last() const;  // loading that was reached
   double share_reached() const;
   double first_loading() const;
   solve::PathOptions path_options() const;
@@ -60,9 +74,15 @@ class CylinderSweep {
   void start_anew() const;
   bool resume();
   void recall(const program::Checkpoint& checkpoint);
+  bool reach(double target);
+  flow::CreepSummary creep_to(double target);
+  bool follow_paths(double target);
   bool accept(CylinderPath path);
+  bool finish_path();
+  bool finish_creep(const flow::CreepSummary& creep);
+  bool finish_loading(const CylinderMeasures& measures, int loads);
+  void add_to_sweep(const CylinderMeasures& measures);
   void write_sweep() const;
-  bool finish_loading();
   bool fail(const std::string& status);
 
   const SweepOptions& options_;
@@ -75,6 +95,8 @@ class CylinderSweep {
   bool has_start_ = false;  // the next point accepted is the last record's
   int path_points_ = 0;     // of the path being followed
   int earlier_factorisations_ = 0;
+  std::string way_;  // to the loading that is being reached
+  std::vector<Arrival> arrivals_;
   std::vector<CylinderMeasures> sweep_;
   std::vector<io::SeriesEntry> series_;
   std::string status_ = "converged";
