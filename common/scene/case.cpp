@@ -58,9 +58,9 @@ io::ResultFolder Case::folder(const std::string& output) {
   return record_.empty() || wants_more ? io::ResultFolder(output) : io::ResultFolder();
 }
 
-void Case::note(const solve::Stopwatch& watch) {
-  cpu_seconds_ = std::min(cpu_seconds_, watch.seconds());
-  wall_seconds_ = std::min(wall_seconds_, watch.elapsed());
+void Case::note(double cpu_seconds, double wall_seconds, bool replaces) {
+  cpu_seconds_ = replaces ? cpu_seconds : std::min(cpu_seconds_, cpu_seconds);
+  wall_seconds_ = replaces ? wall_seconds : std::min(wall_seconds_, wall_seconds);
 }
 
 json Case::options() const {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,18 +31,21 @@ class Case {
   /// an older record and reads the reference. Throws io::UserError.
   io::ResultFolder folder(const std::string& output);
 
-  /// Solves --repeat times and returns the last solution; the shortest times count.
+  /// Solves --repeat times and returns the last solution; the shortest times count. For a record, a
+  /// solve of a few ticks of the clock is repeated until they no longer matter; the mean counts.
   template <class Solve>
   auto timed(const Solve& solve) {
-    for (int more = repeat_; more > 1; --more) {
+    constexpr double many_ticks = 0.05;  // in seconds
+    std::optional<decltype(solve())> solution;
+    const solve::Stopwatch all;
+    int count = 0;
+    do {
       const solve::Stopwatch watch;
-      solve();
-      note(watch);
-    }
-    const solve::Stopwatch watch;
-    auto solution = solve();
-    note(watch);
-    return solution;
+      solution.emplace(solve());
+      note(watch.seconds(), watch.elapsed());
+    } while (++count < repeat_ || (!record_.empty() && all.elapsed() < many_ticks));
+    if (count > repeat_) note(all.seconds() / count, all.elapsed() / count, true);
+    return std::move(*solution);
   }
 
   /// Makes the record of a summary (scene, model, status, results): adds `case`, the hash of all
@@ -53,7 +57,7 @@ class Case {
   void write(const nlohmann::json& record) const;
 
  private:
-  void note(const solve::Stopwatch& watch);
+  void note(double cpu_seconds, double wall_seconds, bool replaces = false);
   nlohmann::json options() const;
   std::string command() const;
 

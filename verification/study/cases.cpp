@@ -1,6 +1,5 @@
 #include "verification/study/cases.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <fstream>
@@ -93,10 +92,6 @@ std::string name_of(const Program& program, const Options& options) {
 std::vector<std::string> command_of(const Program& program, const Options& options,
                                     const fs::path& folder) {
   std::vector<std::string> words = words_of(options);
-  const bool is_told =
-      std::ranges::any_of(options, [](const auto& each) { return each.first == "--threads"; });
-  if (program.option("--threads") && !is_told)  // cases run beside each other, not their parts
-    words.insert(words.end(), {"--threads", "1"});
   words.insert(words.end(),
                {"--record", (folder / (name_of(program, options) + ".json")).string()});
   return words;

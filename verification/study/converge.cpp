@@ -7,24 +7,33 @@
 namespace talus::study {
 
 Fit fitted(const std::vector<double>& sizes, const std::vector<double>& errors) {
-  constexpr double falls = 2. / 3;
+  constexpr double alike = 0.15;
   constexpr std::size_t most = 4;
-  std::vector<std::size_t> order(sizes.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
-  std::vector<double> h, e;
-  for (const std::size_t i : order) {
-    if (!(errors[i] > 0) || (!e.empty() && !(errors[i] < falls * e.back()))) {
-      if (e.size() > 2) break;
-      h.clear(), e.clear();  // not yet on its way down
+  std::vector<std::pair<double, double>> points;  // the finest first
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+    if (sizes[i] > 0 && errors[i] > 0) points.emplace_back(sizes[i], errors[i]);
+  std::ranges::sort(points);
+  std::vector<double> orders;  // from each to the next coarser
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    orders.push_back(std::log(points[i + 1].second / points[i].second) /
+                     std::log(points[i + 1].first / points[i].first));
+  const auto are_alike = [&](std::size_t i) {
+    return orders[i] > 0 && orders[i + 1] > 0 &&
+           std::abs(orders[i] - orders[i + 1]) <= alike * std::max(orders[i], orders[i + 1]);
+  };
+  std::size_t first = 0, count = points.size();
+  for (std::size_t i = 0; i + 1 < orders.size(); ++i)
+    if (are_alike(i)) {
+      first = i;
+      count = 3;
+      while (count < most && i + count - 1 < orders.size() && are_alike(i + count - 2)) ++count;
+      break;
     }
-    if (!(errors[i] > 0)) continue;
-    h.push_back(sizes[i]);
-    e.push_back(errors[i]);
+  std::vector<double> h, e;
+  for (std::size_t i = first; i < first + count; ++i) {
+    h.push_back(points[i].first);
+    e.push_back(points[i].second);
   }
-  const auto from = static_cast<std::ptrdiff_t>(h.size() > most ? h.size() - most : 0);
-  h.erase(h.begin(), h.begin() + from);
-  e.erase(e.begin(), e.begin() + from);
   Fit fit;
   fit.order = verification::fitted_order(h, e);
   fit.points = static_cast<int>(h.size());

@@ -46,9 +46,9 @@ Findings ladder(Table& table);
 /// The first option that varies in numbers: a sweep is along it. Throws io::UserError if none does.
 Varied axis_of_sweep(const Table& table);
 
-/// The order that errors of these sizes show: over the last four of those that fall, from the
-/// coarsest on, by a third at least from one to the next finer; what comes after is round-off, or
-/// another error.
+/// The order that errors of these sizes show: over the finest four, or three, between which it is
+/// the same within 15%, so that neither round-off at the fine end nor a coarse one that is not yet
+/// on its way counts; over all where there are none.
 Fit fitted(const std::vector<double>& sizes, const std::vector<double>& errors);
 
 /// The rows that no other beats in both numbers; the smallest second number last.

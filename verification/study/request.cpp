@@ -47,6 +47,9 @@ std::string unused_option(const std::string& complaint) {
   return from < to && to != std::string::npos ? complaint.substr(from, to - from) : "";
 }
 
+// Cases run beside each other, not their parts.
+const std::pair<std::string, std::string> threads{"--threads", "1"};
+
 std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
@@ -138,6 +141,9 @@ std::vector<Options> possible(const Program& program, const std::vector<Options>
   std::set<std::string> used;
   std::string last_complaint;
   for (Options options : combinations) {
+    const bool is_told =
+        std::ranges::any_of(options, [](const auto& each) { return each.first == threads.first; });
+    if (program.option(threads.first) && !is_told) options.push_back(threads);
     for (;;) {
       const fuzz::Outcome outcome = ask(program, words_of(options), "--dry-run");
       if (outcome.is_success()) break;
@@ -152,7 +158,7 @@ std::vector<Options> possible(const Program& program, const std::vector<Options>
     if (std::ranges::find(all, options) == all.end()) all.push_back(std::move(options));
   }
   for (const auto& [name, _] : combinations.front())
-    if (!used.contains(name)) throw io::UserError(last_complaint);
+    if (!used.contains(name) && name != threads.first) throw io::UserError(last_complaint);
   return all;
 }
 
