@@ -90,8 +90,9 @@ std::string html_of(const io::Figure& figure, const std::string& chapter,
               ? "<p class=fail>Skipped: gnuplot drew no figure.</p>"
               : "<img width=" + std::to_string(std::min<std::size_t>(560 * columns, 1150)) +
                     " alt=\"" + escaped(figure.caption) + "\" src=\"" + data_uri(svg) + "\">";
-  return html + "<figcaption>" + escaped(figure.caption) + "<br><code>cd " + escaped(chapter) +
-         " &amp;&amp; gnuplot " + figure.name + ".gp</code></figcaption></figure>\n";
+  return html + "<figcaption>" + escaped(figure.caption) + "<br><code>" +
+         (chapter.empty() ? "" : "cd " + escaped(chapter) + " &amp;&amp; ") + "gnuplot " +
+         figure.name + ".gp</code></figcaption></figure>\n";
 }
 
 std::string html_of(const std::vector<Check>& checks, const Written& written) {
@@ -169,12 +170,13 @@ std::string html_report(const std::vector<Written>& chapters, const std::string&
                "<td><code>./run verify " + chapter.name + "</code></tr>\n";
     body += chapter.html;
   }
-  return page("Talus: verification", "Talus: verification report",
-              std::string("<p class=") +
-                  (passed ? "pass>Every check holds." : "fail>Some checks do not hold.") +
-                  "</p>\n<p>Steady dense granular flow with the μ(I) rheology: is the code right, what "
-                  "does an error cost, where do the methods fail?</p>\n",
-              command, summary + "</table>\n" + body);
+  return page(
+      "Talus: verification", "Talus: verification report",
+      std::string("<p class=") +
+          (passed ? "pass>Every check holds." : "fail>Some checks do not hold.") +
+          "</p>\n<p>Steady dense granular flow with the μ(I) rheology: is the code right, what "
+          "does an error cost, where do the methods fail?</p>\n",
+      command, summary + "</table>\n" + body);
 }
 
 std::string html_page(const std::string& title, const std::string& command,

@@ -194,6 +194,6 @@ BOOST_AUTO_TEST_CASE(help_says_what_every_option_takes_and_comes_before_what_fol
   std::cout.rdbuf(previous);
   BOOST_TEST(code == 0);
   for (const std::string text : {"--count INT=7", "[1 ... 1000]", "--angle ANGLE=0.4", "23deg",
-                                 "--loads FLOAT=1,2", "--method TEXT=newton"})
+                                 "--loads FLOAT=1,2", "--method NAME=newton"})
     BOOST_TEST(contains(captured.str(), text), text);
 }

@@ -54,7 +54,11 @@ int Case::run_program(int argc, char** argv, const std::function<int()>& body) {
 io::ResultFolder Case::folder(const std::string& output) {
   if (!reference_.empty()) reference_values_ = reference_values(reference_);
   if (!record_.empty()) io::remove_file("--record", record_);
-  const bool wants_more = app_.count("--output") > 0 || app_.count("--plot") > 0;
+  const auto is_given = [&](const char* name) {
+    const CLI::Option* option = app_.get_option_no_throw(name);
+    return option && option->count() > 0;
+  };
+  const bool wants_more = is_given("--output") || is_given("--plot");
   return record_.empty() || wants_more ? io::ResultFolder(output) : io::ResultFolder();
 }
 

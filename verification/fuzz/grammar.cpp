@@ -16,6 +16,9 @@ const std::regex option_line(
     R"((?:-\w,)?(--[\w-]+)(?:\{[^}]*\})?(?: ([A-Z]{3,})(?:=(\S+))?)?(?: \.\.\.)?)"
     R"((?: Excludes:(?: --[\w-]+)+)?\s*(.*))");
 const std::regex range_of_numbers(R"(\[(each )?(\S+) \.\.\. ([^\s;\]]+)[^\]]*\]$)");
+// They change what a run is for; records have a relation of their own, the rest the tests of the
+// programs.
+const std::string of_cases[] = {"--record", "--reference", "--dry-run", "--describe"};
 const std::regex list_of_choices(R"(\[([\w-]+(?:, [\w-]+)+)\]$)");
 
 std::vector<std::string> parts_of(const std::string& text, const std::string& separator) {
@@ -78,7 +81,8 @@ std::vector<Option> options_in(const std::string& help) {
   std::smatch match;
   for (const std::string& line : lines)
     if (line.starts_with('-') && std::regex_match(line, match, option_line) &&
-        match[1] != "--help" && match[1] != "--version")
+        match[1] != "--help" && match[1] != "--version" &&
+        std::ranges::find(of_cases, match[1].str()) == std::end(of_cases))
       options.push_back(option_from(match));
   return options;
 }

@@ -14,7 +14,7 @@ struct Relation {
   void (*run)(Trial&);
 };
 
-/// Of the programs as such: same line twice, another order, defaults, threads, resumption.
+/// Of the programs as such: same line twice, another order, defaults, threads, resumption, records.
 const std::vector<Relation>& relations_of_runs();
 /// Of the flows: methods, models, scales, meshes, loads.
 const std::vector<Relation>& relations_of_flows();

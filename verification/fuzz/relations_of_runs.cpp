@@ -117,6 +117,30 @@ void over_the_results_of_another_run(Trial& trial) {
   expect_same(trial, program.name, line, line);
 }
 
+// The record of a case is the summary of its run, and leaves nothing else where nothing else is
+// asked for.
+void record_and_summary(Trial& trial) {
+  const Program& program = trial.programs.named(draw_program(trial.random));
+  const Arguments line = draw_fair_line(program, trial.random).arguments;
+  const Arguments record = line + Arguments{"--record", "record.json"};
+  const std::filesystem::path results = "results/" + program.name;
+  const Outcome both =
+      trial.run(trial.command(program.name, record + Arguments{"--output", results.string()}, "a"));
+  const Outcome alone = trial.run(trial.command(program.name, record, "b"));
+  if (both.code == 2) return trial.ended(trial.outcome() + " (refused)");
+  trial.expect(both.code == alone.code, "another exit code without --output");
+  const auto summary = json_in(trial.folder / "a" / results / "summary.json");
+  trial.expect(summary.is_object() && summary == json_in(trial.folder / "a" / "record.json"),
+               "the record is not the summary");
+  trial.expect(summary.is_object() &&
+                   json_in(trial.folder / "b" / "record.json").value("results", nlohmann::json()) ==
+                       summary["results"],
+               "other results in the record alone");
+  const bool plots = std::ranges::find(line, "--plot") != line.end();
+  trial.expect(plots || !std::filesystem::exists(trial.folder / "b" / results),
+               "more than the record was written");
+}
+
 }  // namespace
 
 const std::vector<Relation>& relations_of_runs() {
@@ -126,7 +150,8 @@ const std::vector<Relation>& relations_of_runs() {
                                             {"any threads", any_number_of_threads},
                                             {"more iterations", more_iterations_than_needed},
                                             {"resumed", interrupted_and_resumed},
-                                            {"over another run", over_the_results_of_another_run}};
+                                            {"over another run", over_the_results_of_another_run},
+                                            {"record", record_and_summary}};
   return all;
 }
 

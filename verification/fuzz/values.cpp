@@ -26,6 +26,7 @@ double most_of(const Option& option, const std::string& program, const std::stri
                                         {"--elements", "", "", 200},
                                         {"--around", "", "", 24},
                                         {"--threads", "", "", 4},
+                                        {"--repeat", "", "", 3},
                                         {"--max-points", "", "", 12},
                                         {"--max-iterations", "", "", 500}};
   const auto fits = [](const std::string& cap, const std::string& asked) {

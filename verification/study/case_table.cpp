@@ -74,11 +74,16 @@ std::vector<Varied> Table::axes() const {
   return all;
 }
 
-std::string Table::label_of(const std::string& quantity) const {
+std::string Table::title_of(const std::string& quantity) const {
+  if (const json* known = program.quantity(quantity)) return known->at("meaning");
+  const json* measured = program.quantity(quantity.substr(std::string("error_").size()));
+  return measured ? "relative error: " + measured->at("meaning").get<std::string>() : quantity;
+}
+
+std::string Table::unit_of(const std::string& quantity) const {
   const json* known = program.quantity(quantity);
-  if (!known) return quantity + (quantity.rfind("error_", 0) == 0 ? ", relative" : "");
-  const std::string unit = known->at("unit");
-  return unit == "1" ? quantity : quantity + " / " + unit;
+  const std::string unit = known ? known->at("unit") : "1";
+  return unit == "1" ? "" : "in " + unit;
 }
 
 std::vector<Curve> curves_of(const Table& table, const std::vector<std::string>& without) {

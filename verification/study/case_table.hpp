@@ -20,8 +20,9 @@ struct Table {
   std::vector<Varied> axes() const;
   /// The option that makes the meshes finer.
   std::string mesh_option() const { return program.description.at("mesh_option"); }
-  /// A quantity with its unit, for axes: "flow_rate / d sqrt(gd)".
-  std::string label_of(const std::string& quantity) const;
+  /// What a quantity, or error_QUANTITY, means, and its unit as an axis has it: "in d sqrt(gd)".
+  std::string title_of(const std::string& quantity) const;
+  std::string unit_of(const std::string& quantity) const;
 };
 
 /// Rows that differ in a few options only, and what tells them from others.

@@ -49,8 +49,9 @@ Findings converge(Table& table) {
   io::Table orders{"orders of convergence", {"error", "curve", "order", "points"}, {}};
   io::Figure figure{"errors", "", {}, static_cast<int>(std::min<std::size_t>(errors.size(), 2))};
   for (const std::string& error : errors) {
-    io::Panel panel{error, "size of the elements", table.label_of(error), true, true,
-                    {},    std::nullopt,           "bottom right"};
+    io::Panel panel{
+        table.title_of(error), "size of the elements", table.unit_of(error), true, true, {},
+        std::nullopt,          "bottom right"};
     for (const Curve& curve : curves_of(table, {table.mesh_option()})) {
       io::Curve drawn{curve.label, {}, {}};
       for (const Row* row : curve.rows) {

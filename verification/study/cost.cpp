@@ -29,8 +29,8 @@ Findings cost(Table& table) {
   const auto curves = curves_of(table, {table.mesh_option()});
   io::Figure figure{"cost", "", {}, static_cast<int>(std::min<std::size_t>(errors.size(), 2))};
   for (const std::string& error : errors) {
-    io::Panel panel{error,        "CPU seconds", table.label_of(error), true, true, {},
-                    std::nullopt, "top right"};
+    io::Panel panel{table.title_of(error), "CPU seconds", table.unit_of(error), true, true, {},
+                    std::nullopt,          "top right"};
     for (const Curve& curve : curves) {
       io::Curve drawn{curve.label, {}, {}};
       for (const Row* row : curve.rows) {

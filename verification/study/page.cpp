@@ -56,7 +56,7 @@ std::string write_files(const io::ResultFolder& folder, const Kind& kind, const 
   folder.write("cases.csv", io::to_csv(cases));
   const std::string drawn = io::draw(folder, figures_of(findings.chapter), {"svg", "png", "pdf"});
   verification::Chapter chapter = findings.chapter;
-  chapter.name = ".";
+  chapter.name = "";
   chapter.title = kind.question;
   chapter.text(count_of_ends(all_rows(table)) + ".");
   chapter.table(cases);

@@ -21,9 +21,14 @@ Findings sweep(Table& table) {
   Findings found;
   io::Figure figure{"sweep", "", {}, static_cast<int>(std::min<std::size_t>(quantities.size(), 2))};
   for (const std::string& quantity : quantities) {
-    io::Panel panel{
-        quantity,  along.name.substr(2), table.label_of(quantity), false, false, {}, std::nullopt,
-        "top left"};
+    io::Panel panel{table.title_of(quantity),
+                    along.name.substr(2),
+                    table.unit_of(quantity),
+                    false,
+                    false,
+                    {},
+                    std::nullopt,
+                    "top left"};
     std::map<std::string, io::Curve> failures;
     double lowest = std::numeric_limits<double>::infinity();
     for (const Row& row : table.rows)
