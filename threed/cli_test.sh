@@ -120,7 +120,7 @@ check refuses --elements "''" -- "$heap" --elements ''
 check succeeds heap "$heap" --elements 07x010 --angle 23deg
 check expect_text run/results/heap/summary.json '"angle": 0.4014257279' "7,"
 cp "$work/run/results/heap/surface.csv" "$work/surface.csv"
-radians=$(sed -n "s/.*\"angle\": \([0-9.]*\).*/\1/p" "$work/run/results/heap/summary.json" | head -n 1)
+radians=$(sed -n "s/.*\"angle\": \([0-9][0-9.]*\).*/\1/p" "$work/run/results/heap/summary.json" | head -n 1)
 check succeeds heap "$heap" --elements 7x10 --angle "$radians"
 check cmp "$work/surface.csv" "$work/run/results/heap/surface.csv"
 
