@@ -105,7 +105,8 @@ using CylinderPath = solve::Path<CylinderFlow::State>;
 double held_loading(const Cylinder& scene);
 
 /// Whether it makes sense to look for creep: a law with a yield stress, a loading that walls and
-/// cylinder hold between them, or nearly so, and no plain penalty that gives way before friction.
+/// cylinder hold between them, or nearly so, no plain penalty that gives way before friction, and no
+/// open outlet, with which there are several flows.
 bool may_creep(const Cylinder& scene, double loading);
 
 /// Options with which paths of this scene are followed.

@@ -165,7 +165,9 @@ bool may_creep(const Cylinder& scene, double loading) {
   const double yield = scene.law.mu_s / scene.mesh.half_width * (1 + cylinder_share / (2 * length));
   const bool is_soft =
       scene.penalty.kind == flow::Penalty::plain && scene.penalty.lambda_p > scene.lambda_r;
-  return rheology::has_yield_stress(scene.regularisation) && !is_soft && loading <= yield;
+  const bool is_open = scene.open_outlet != flow::Open::no;  // several flows: a path tells which
+  return rheology::has_yield_stress(scene.regularisation) && !is_soft && !is_open &&
+         loading <= yield;
 }
 
 solve::PathOptions cylinder_path_options() {

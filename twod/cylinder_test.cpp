@@ -52,11 +52,13 @@ BOOST_AUTO_TEST_CASE(creep_has_the_drag_and_velocity_of_the_references) {
     BOOST_TEST(m.divergence > 1e-6);  // what the pressures do not see is no round-off
     BOOST_TEST(relative(m.weight, loading * (600 - std::numbers::pi / 4)) < 1e-6);
   }
-  BOOST_TEST(relative(creep_at(cylinder_of(16), 0.04).drag, 4.61716) > 0.01);  // a coarse mesh is seen
+  BOOST_TEST(relative(creep_at(cylinder_of(16), 0.04).drag, 4.61716) >
+             0.01);  // a coarse mesh is seen
 }
 
 BOOST_AUTO_TEST_CASE(creep_is_proportional_to_lambda_r_and_flow_is_not) {
-  const CylinderMeasures one = creep_at(cylinder_of(24), 0.01), half = creep_at(cylinder_of(24, 5e-7), 0.01);
+  const CylinderMeasures one = creep_at(cylinder_of(24), 0.01),
+                         half = creep_at(cylinder_of(24, 5e-7), 0.01);
   BOOST_TEST(relative(one.mean_velocity, 2 * half.mean_velocity) < 1e-5);
   BOOST_TEST(relative(one.drag, half.drag) < 1e-5);
   CylinderFlow flowing(cylinder_of(16, 2e-3));

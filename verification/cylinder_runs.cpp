@@ -53,9 +53,14 @@ Creep creep_at(const twod::Cylinder& scene, double loading) {
   const solve::Stopwatch watch;
   twod::CylinderFlow cylinder(scene);
   twod::CylinderFlow::State state;
-  solve::End end = twod::solve_creep(cylinder, loading, state).end;
+  // With an open outlet there are several flows: the one that arclength leads to is compared.
+  const bool is_open = scene.open_outlet != flow::Open::no;
+  solve::End end =
+      is_open ? solve::End::stagnated : twod::solve_creep(cylinder, loading, state).end;
   if (!solve::is_success(end)) {
-    const auto path = twod::solve_from_rest(cylinder, loading);
+    const auto path = twod::solve_from_rest(
+        cylinder, loading,
+        is_open ? twod::Continuation::arclength : twod::Continuation::primal_dual);
     state = path.next.state;
     if (path.end == solve::PathEnd::target_reached)
       end = solve::newton(cylinder.flow(), state,

@@ -15,7 +15,7 @@ twod::Cylinder cylinder_around(int around,
 /// eq. (12), and every law of the registry without a yield stress: the controls.
 std::vector<rheology::Regularisation> laws_of_paths();
 
-/// A loading that the cylinder holds, solved from rest down to round-off: at once, or where that
+/// A loading that the cylinder holds, solved from rest down to round-off: at once, or, with an open outlet or where that
 /// fails along a path in λr.
 struct Creep {
   twod::CylinderMeasures measures;  ///< NaN if it failed
