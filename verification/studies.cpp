@@ -1,4 +1,4 @@
-#include "verification/chapter.hpp"
+#include "verification/harness/chapter.hpp"
 
 namespace talus::verification {
 

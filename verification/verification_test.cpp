@@ -5,12 +5,13 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "verification/cylinder_runs.hpp"
-#include "verification/fit.hpp"
-#include "verification/html_report.hpp"
-#include "verification/line_answer.hpp"
-#include "verification/methods.hpp"
-#include "verification/paper_parts.hpp"
+#include "verification/cylinder/cylinder_runs.hpp"
+#include "verification/harness/fit.hpp"
+#include "verification/harness/html_report.hpp"
+#include "verification/harness/methods.hpp"
+#include "verification/orders/orders_parts.hpp"
+#include "verification/paper/paper_parts.hpp"
+#include "verification/stability/line_answer.hpp"
 
 using namespace talus;
 using verification::Chapter;

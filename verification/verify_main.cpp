@@ -9,7 +9,7 @@
 
 #include "common/io/options.hpp"
 #include "common/io/progress.hpp"
-#include "verification/runner.hpp"
+#include "verification/harness/runner.hpp"
 
 using namespace talus;
 

@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(a_script_can_be_pasted_into_a_shell) {
     command += " " + fuzz::shell_word(word);
     expected += "<" + word + ">";
   }
-  BOOST_TEST(fuzz::run({"/bin/bash", {"-c", command}, "/"}).out == expected);
+  BOOST_TEST(process::run({"/bin/bash", {"-c", command}, "/"}).out == expected);
 }
 
 BOOST_AUTO_TEST_CASE(a_word_is_told_from_a_number_that_is_none) {

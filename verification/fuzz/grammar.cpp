@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "verification/fuzz/process.hpp"
+#include "verification/harness/process.hpp"
 
 namespace talus::fuzz {
 namespace {
@@ -88,7 +88,7 @@ std::vector<Option> options_in(const std::string& help) {
 }
 
 Program read_program(const std::filesystem::path& path) {
-  const Outcome help = run({path, {"--help"}, "/"});
+  const process::Outcome help = process::run({path, {"--help"}, "/"});
   Program program{path.filename().string(), path, options_in(help.out)};
   if (!help.is_success() || program.options.empty())
     throw std::runtime_error(path.string() + " --help tells no options");

@@ -30,7 +30,7 @@ Command Programs::earlier_run(const std::string& name) const {
 fs::path Programs::earlier_results(const std::string& name) const {
   const std::lock_guard lock(mutex_);
   const Command command = earlier_run(name);
-  if (fs::create_directories(command.folder)) fuzz::run(command);
+  if (fs::create_directories(command.folder)) process::run(command);
   return command.folder / "results" / name;
 }
 
@@ -42,6 +42,7 @@ Command Trial::command(const std::string& program, std::vector<std::string> argu
   fs::create_directories(folder / subfolder);
   Command command{programs.named(program).path, std::move(arguments), folder / subfolder};
   command.time_limit = programs.time_limit;
+  command.cpu_limit = programs.time_limit / 4;  // others may be computing too
   return command;
 }
 
@@ -50,7 +51,7 @@ Outcome Trial::run(const Command& command) {
   note(subfolder == "."
            ? shell_line(command)
            : "(mkdir -p " + subfolder + "; cd " + subfolder + "; " + shell_line(command) + ")");
-  const Outcome outcome = fuzz::run(command);
+  const Outcome outcome = process::run(command);
   look_at(outcome);
   return outcome;
 }

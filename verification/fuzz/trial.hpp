@@ -8,10 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "common/io/shell.hpp"
 #include "verification/fuzz/line.hpp"
-#include "verification/fuzz/process.hpp"
+#include "verification/harness/process.hpp"
 
 namespace talus::fuzz {
+
+using io::shell_word;
+using process::Command;
+using process::Outcome;
+using process::Process;
 
 /// All that trials share: the programs and, by program, results of an earlier run.
 class Programs {

@@ -12,7 +12,7 @@
 #include "common/io/checksum.hpp"
 #include "common/io/result_folder.hpp"
 #include "common/io/shell.hpp"
-#include "verification/fuzz/process.hpp"
+#include "verification/harness/process.hpp"
 
 namespace talus::study {
 namespace {
@@ -46,7 +46,7 @@ json failure(const std::string& line, const std::string& status) {
 }
 
 // Why a case left no record: how its process ended, or the end that it named, "chute: END: ...".
-std::string status_of(const fuzz::Outcome& outcome) {
+std::string status_of(const process::Outcome& outcome) {
   if (outcome.hung) return "time limit";
   if (outcome.signal != 0) return "killed by signal " + std::to_string(outcome.signal);
   const std::size_t from = outcome.err.find(": ");
@@ -58,7 +58,7 @@ std::string status_of(const fuzz::Outcome& outcome) {
 
 struct Running {
   std::size_t number;
-  std::unique_ptr<fuzz::Process> process;
+  std::unique_ptr<process::Process> run;
   std::chrono::steady_clock::time_point start;
 };
 
@@ -118,7 +118,7 @@ std::vector<Row> run_cases(const Program& program, const std::vector<Options>& c
     rows.push_back({each, record ? *record : failure(line_of(program, each), "no record")});
   }
 
-  const auto end = [&](std::size_t number, const fuzz::Outcome& outcome) {
+  const auto end = [&](std::size_t number, const process::Outcome& outcome) {
     Row& row = rows[number];
     if (const auto record = read_record(folder / (name_of(program, row.options) + ".json")))
       row.record = *record;
@@ -132,10 +132,10 @@ std::vector<Row> run_cases(const Program& program, const std::vector<Options>& c
     for (;; std::this_thread::sleep_for(std::chrono::milliseconds(2)))
       for (auto each = running.begin(); each != running.end(); ++each) {
         const std::chrono::duration<double> age = std::chrono::steady_clock::now() - each->start;
-        const bool is_over = each->process->ends_within(0);
+        const bool is_over = each->run->ends_within(0);
         if (!is_over && age.count() < options.time_limit) continue;
-        if (!is_over) each->process->send(SIGKILL, true);
-        fuzz::Outcome outcome = each->process->outcome();
+        if (!is_over) each->run->send(SIGKILL, true);
+        process::Outcome outcome = each->run->outcome();
         outcome.hung = outcome.hung || !is_over;
         end(each->number, outcome);
         running.erase(each);
@@ -144,12 +144,12 @@ std::vector<Row> run_cases(const Program& program, const std::vector<Options>& c
   };
   for (const std::size_t number : to_solve) {
     if (running.size() == static_cast<std::size_t>(options.jobs)) wait_for_one();
-    fuzz::Command command{program.path,
-                          command_of(program, rows[number].options, fs::absolute(folder)),
-                          fs::temp_directory_path()};
-    command.time_limit = 4 * options.time_limit;  // of which it takes a quarter for CPU time
+    process::Command command{program.path,
+                             command_of(program, rows[number].options, fs::absolute(folder)),
+                             fs::temp_directory_path()};
+    command.time_limit = options.time_limit;
     running.push_back(
-        {number, std::make_unique<fuzz::Process>(command), std::chrono::steady_clock::now()});
+        {number, std::make_unique<process::Process>(command), std::chrono::steady_clock::now()});
   }
   while (!running.empty()) wait_for_one();
   return rows;

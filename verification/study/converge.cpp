@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "verification/fit.hpp"
+#include "verification/harness/fit.hpp"
 #include "verification/study/kinds.hpp"
 
 namespace talus::study {

@@ -1,7 +1,7 @@
 // The kinds of studies: what each makes of the table of its cases.
 #pragma once
 
-#include "verification/chapter.hpp"
+#include "verification/harness/chapter.hpp"
 #include "verification/study/case_table.hpp"
 
 namespace talus::study {

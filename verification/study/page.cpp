@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "verification/html_report.hpp"
+#include "verification/harness/html_report.hpp"
 
 namespace talus::study {
 namespace {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "common/io/options.hpp"
-#include "verification/fuzz/process.hpp"
+#include "verification/harness/process.hpp"
 #include "verification/study/option_values.hpp"
 
 namespace talus::study {
@@ -35,10 +35,10 @@ const json* named(const json& list, const std::string& name) {
   return found == list.end() ? nullptr : &*found;
 }
 
-fuzz::Outcome ask(const Program& program, std::vector<std::string> words,
-                  const std::string& question) {
+process::Outcome ask(const Program& program, std::vector<std::string> words,
+                     const std::string& question) {
   words.push_back(question);
-  return fuzz::run({program.path, std::move(words), std::filesystem::temp_directory_path()});
+  return process::run({program.path, std::move(words), std::filesystem::temp_directory_path()});
 }
 
 // "heap: --start: not used by ..." names the option that a case has no use for.
@@ -72,7 +72,7 @@ Program program_of(const std::string& scene) {
     throw io::UserError("SCENE: '" + scene + "' is none of: " + known +
                         io::did_you_mean(scene, names));
   Program program{folder_of_programs() / scene, {}};
-  const fuzz::Outcome outcome = ask(program, {}, "--describe");
+  const process::Outcome outcome = ask(program, {}, "--describe");
   program.description = json::parse(outcome.out, nullptr, false);
   if (!outcome.is_success() || !program.description.is_object())
     throw io::UserError("SCENE: '" + scene + "' does not describe itself");
@@ -145,7 +145,7 @@ std::vector<Options> possible(const Program& program, const std::vector<Options>
         std::ranges::any_of(options, [](const auto& each) { return each.first == threads.first; });
     if (program.option(threads.first) && !is_told) options.push_back(threads);
     for (;;) {
-      const fuzz::Outcome outcome = ask(program, words_of(options), "--dry-run");
+      const process::Outcome outcome = ask(program, words_of(options), "--dry-run");
       if (outcome.is_success()) break;
       last_complaint = first_line(outcome.err);
       const std::string unused = unused_option(last_complaint);

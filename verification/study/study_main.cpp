@@ -10,7 +10,7 @@
 #include "common/io/options.hpp"
 #include "common/io/progress.hpp"
 #include "common/io/shell.hpp"
-#include "verification/runner.hpp"
+#include "verification/harness/runner.hpp"
 #include "verification/study/page.hpp"
 
 using namespace talus;

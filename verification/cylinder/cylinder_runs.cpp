@@ -1,0 +1,131 @@
+#include "verification/cylinder/cylinder_runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "common/solve/stopwatch.hpp"
+#include "verification/harness/methods.hpp"
+
+namespace talus::verification {
+namespace {
+
+constexpr double creeping = 0.044;
+
+// Of a flow that was not found.
+twod::CylinderMeasures not_measured() {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  return {nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan};
+}
+
+twod::CylinderObserver recorder(Followed& followed) {
+  return [&followed](const auto&, const auto& measures, const auto& point) {
+    followed.measures.push_back(measures);
+    followed.points.push_back(point);
+    return true;
+  };
+}
+
+solve::PathOptions path_options(int max_points) {
+  auto options = twod::cylinder_path_options();
+  options.max_points = max_points;
+  options.smallest_step = 1e-4;  // at a fold the steps of natural continuation are halved to this
+  return options;
+}
+
+}  // namespace
+
+twod::Cylinder cylinder_around(int around, const rheology::Regularisation& law) {
+  twod::Cylinder scene;
+  scene.mesh = twod::refined_to(around);
+  scene.regularisation = law;
+  return scene;
+}
+
+std::vector<rheology::Regularisation> laws_of_paths() {
+  std::vector<rheology::Regularisation> laws = {rheology::ChauchatMedale{}};
+  for (const auto& law : rheology::regularisations())
+    if (!rheology::has_yield_stress(law)) laws.push_back(law);
+  return laws;
+}
+
+Creep creep_at(const twod::Cylinder& scene, double loading) {
+  const solve::Stopwatch watch;
+  twod::CylinderFlow cylinder(scene);
+  twod::CylinderFlow::State state;
+  // With an open outlet there are several flows: the one that arclength leads to is compared.
+  const bool is_open = scene.open_outlet != flow::Open::no;
+  solve::End end =
+      is_open ? solve::End::stagnated : twod::solve_creep(cylinder, loading, state).end;
+  if (!solve::is_success(end)) {
+    const auto path = twod::solve_from_rest(
+        cylinder, loading,
+        is_open ? twod::Continuation::arclength : twod::Continuation::primal_dual);
+    state = path.next.state;
+    if (path.end == solve::PathEnd::target_reached)
+      end = solve::newton(cylinder.flow(), state,
+                          {.tolerance = 1e-13, .line_search = solve::LineSearch::residual_norm})
+                .end;
+  }
+  Creep creep;
+  creep.factorisations = cylinder.flow().factorisations();
+  creep.seconds = watch.seconds();
+  creep.elements = cylinder.space().element_count();
+  if (solve::is_success(end))
+    creep.measures = twod::measure(cylinder, state);
+  else
+    creep.measures = not_measured();
+  return creep;
+}
+
+twod::CylinderMeasures Followed::last() const {
+  return measures.empty() ? not_measured() : measures.back();
+}
+
+int Followed::folds() const {
+  return static_cast<int>(
+      std::ranges::count_if(points, [](const auto& point) { return point.is_fold_passed; }));
+}
+
+double Followed::largest_loading() const {
+  double largest = if_counts(!measures.empty(), 0);
+  for (const auto& m : measures) largest = solve::nan_max(largest, m.loading);
+  return largest;
+}
+
+double Followed::smallest_lambda_r() const {
+  double smallest = if_counts(!measures.empty(), 1);
+  for (const auto& m : measures) smallest = solve::nan_min(smallest, m.lambda_r);
+  return smallest;
+}
+
+Followed along_loading(const twod::Cylinder& scene, double target, twod::Continuation continuation,
+                       int max_points) {
+  const solve::Stopwatch watch;
+  twod::CylinderFlow cylinder(scene);
+  auto start = twod::solve_from_rest(cylinder, creeping);
+  Followed followed;
+  if (start.end != solve::PathEnd::target_reached) return followed;
+  followed.end =
+      twod::follow_loading(cylinder, {.state = start.next.state, .parameter = creeping}, target,
+                           continuation, path_options(max_points), recorder(followed))
+          .end;
+  followed.factorisations = cylinder.flow().factorisations();
+  followed.seconds = watch.seconds();
+  return followed;
+}
+
+Followed along_lambda_r(const twod::Cylinder& scene, double loading,
+                        twod::Continuation continuation, int max_points) {
+  const solve::Stopwatch watch;
+  twod::CylinderFlow cylinder(scene);
+  Followed followed;
+  followed.end = twod::solve_from_rest(cylinder, loading, continuation, path_options(max_points),
+                                       recorder(followed))
+                     .end;
+  followed.factorisations = cylinder.flow().factorisations();
+  followed.seconds = watch.seconds();
+  return followed;
+}
+
+}  // namespace talus::verification

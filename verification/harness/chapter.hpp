@@ -1,0 +1,75 @@
+// What a study produces: checks against bounds, with the text, tables and figures around them.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "common/io/figure.hpp"
+#include "common/io/table.hpp"
+#include "oned/shear_scene.hpp"
+
+namespace talus::verification {
+
+/// A number and the bounds it must keep, both included. NaN keeps none.
+struct Check {
+  std::string what;
+  double value = 0, lower = 0, upper = 0;
+  bool passed() const { return value >= lower && value <= upper; }
+};
+
+/// One chapter of the report.
+struct Chapter {
+  std::string name, title;
+  std::vector<std::variant<std::string, io::Table, io::Figure>> blocks;  ///< text, tables, figures
+  std::vector<Check> checks;
+
+  void text(std::string paragraph) { blocks.emplace_back(std::move(paragraph)); }
+  void table(io::Table table) { blocks.emplace_back(std::move(table)); }
+  void figure(io::Figure figure) { blocks.emplace_back(std::move(figure)); }
+  /// Returns whether it holds, for the sentences that rest on it.
+  bool check(std::string what, double value, double lower, double upper) {
+    checks.push_back({std::move(what), value, lower, upper});
+    return checks.back().passed();
+  }
+  bool passed() const {
+    for (const Check& each : checks)
+      if (!each.passed()) return false;
+    return true;
+  }
+};
+
+/// How much a study does, and whom it tells how far it is.
+struct Context {
+  bool full = false;
+  std::function<void(double fraction)> progress = [](double) {};
+};
+
+/// CPU minutes that a study takes, measured on `measured_on`.
+struct Minutes {
+  double quick = 0, full = 0;
+  double of(bool is_full) const { return is_full ? full : quick; }
+};
+inline constexpr const char* measured_on = "one core of a 2-core virtual machine";
+
+struct Study {
+  std::string name, question;
+  std::function<Chapter(const Context&)> run;
+  Minutes minutes = {};
+  bool is_timing = false;  ///< CPU time is what it is about: nothing may run beside it
+};
+
+/// The registry, in the order of the report.
+const std::vector<Study>& studies();
+
+Chapter jacobian_study(const Context& context);
+Chapter orders_study(const Context& context);
+Chapter paper_study(const Context& context);
+Chapter cost_study(const Context& context);
+Chapter stability_study(const Context& context);
+Chapter heap_study(const Context& context);
+Chapter ladder_study(const Context& context);
+Chapter cylinder_study(const Context& context);
+
+}  // namespace talus::verification
