@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -119,10 +120,40 @@ struct ChauchatMedale : YieldStressLimit {
   }
 };
 
-/// The registry: every alternative offers name, equation, evaluate and the members of
-/// YieldStressLimit. One that depends on the friction law is made from it, once (`for_law`).
+/// What a regularisation must offer: a member that is missing is told in one line.
+template <class Kind>
+consteval bool is_whole() {
+  static_assert(
+      requires { std::string_view(Kind::name); }, "a regularisation needs a name");
+  static_assert(
+      requires { std::string_view(Kind::equation); },
+      "a regularisation needs an equation: its number, or its source");
+  static_assert(
+      requires { bool(Kind::has_yield_stress); },
+      "a regularisation needs has_yield_stress; derive from YieldStressLimit if it has one");
+  static_assert(
+      requires(const Kind& kind, const FrictionLaw& law, double number) {
+        { kind.evaluate(law, number, number, number) } -> std::same_as<Viscosity>;
+      },
+      "a regularisation needs evaluate(law, lambda_r, shear_rate, pressure), a Viscosity");
+  static_assert(
+      requires(const Kind& kind, const FrictionLaw& law, double number) {
+        double(kind.friction(law, number));
+        double(kind.inertial_number(law, number));
+        double(kind.inertial_number_integral(law, number));
+        double(kind.kink(law));
+        double(kind.well_posedness(law, number));
+      },
+      "a regularisation needs the members of YieldStressLimit, for the law that it tends to");
+  return true;
+}
+
+template <class... Kinds>
+requires(is_whole<Kinds>() && ...) using Registry = std::variant<Kinds...>;
+
+/// All there are. One that depends on the friction law is made from it, once (`for_law`).
 using Regularisation =
-    std::variant<Simple, BercovierEngelman, Papanastasiou, ChauchatMedale, BarkerGray>;
+    Registry<Simple, BercovierEngelman, Papanastasiou, ChauchatMedale, BarkerGray>;
 
 /// The regularisation made ready for a friction law; `Rheology` does it.
 Regularisation for_law(const Regularisation& regularisation, const FrictionLaw& law);
