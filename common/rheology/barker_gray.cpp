@@ -1,5 +1,8 @@
 #include "common/rheology/barker_gray.hpp"
 
+#include <cassert>
+#include <cmath>
+
 #include <gsl/gsl_sf_erf.h>
 
 namespace talus::rheology {
@@ -35,6 +38,30 @@ double BarkerGray::well_posedness(const FrictionLaw& law, double I) const {
   if (I > I1_) return law.well_posedness(I);
   const double mu = friction(law, I);
   return well_posedness_indicator(mu, mu * mu / (2 * alpha));
+}
+
+Viscosity BarkerGray::evaluate(const FrictionLaw& law, double lambda_r, double shear_rate,
+                               double pressure) const {
+  assert(law == law_);
+  const double c = law.reference_shear_rate(pressure);
+  const double square = shear_rate * shear_rate + lambda_r * lambda_r;
+  const double root = std::sqrt(square);
+  const double share = root / (c + root);  // I/(I0 + I), which is 1 and no 0/0 at p = 0
+  double mu, n;                            // n = d ln μ/d ln I
+  if (share > share1_) {
+    mu = law.mu_s + law.delta_mu * share;
+    n = law.delta_mu * share * (c / (c + root)) / mu;
+  } else {
+    mu = creep_friction(law.I0 * root / c);
+    n = mu * mu / (2 * alpha);
+  }
+  const double eta_over_p = mu / root;
+  return {eta_over_p * pressure, eta_over_p * pressure * (n - 1) * shear_rate / square,
+          eta_over_p * (1 - 0.5 * n)};
+}
+
+double BarkerGray::creep_friction(double I) const {
+  return std::sqrt(alpha / (alpha / (mu1_ * mu1_) - std::log(I / I1_)));
 }
 
 }  // namespace talus::rheology

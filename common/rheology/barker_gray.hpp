@@ -1,8 +1,6 @@
 // The control law: partially regularised μ(I), well-posed at low I, and without a yield stress.
 #pragma once
 
-#include <cassert>
-#include <cmath>
 #include <string_view>
 
 #include "common/rheology/friction_law.hpp"
@@ -38,30 +36,11 @@ class BarkerGray {
   double well_posedness(const FrictionLaw& law, double I) const;
 
   Viscosity evaluate(const FrictionLaw& law, double lambda_r, double shear_rate,
-                     double pressure) const {
-    assert(law == law_);
-    const double c = law.reference_shear_rate(pressure);
-    const double square = shear_rate * shear_rate + lambda_r * lambda_r;
-    const double root = std::sqrt(square);
-    const double share = root / (c + root);  // I/(I0 + I), which is 1 and no 0/0 at p = 0
-    double mu, n;                            // n = d ln μ/d ln I
-    if (share > share1_) {
-      mu = law.mu_s + law.delta_mu * share;
-      n = law.delta_mu * share * (c / (c + root)) / mu;
-    } else {
-      mu = creep_friction(law.I0 * root / c);
-      n = mu * mu / (2 * alpha);
-    }
-    const double eta_over_p = mu / root;
-    return {eta_over_p * pressure, eta_over_p * pressure * (n - 1) * shear_rate / square,
-            eta_over_p * (1 - 0.5 * n)};
-  }
+                     double pressure) const;
 
  private:
   // μ for 0 < I <= I1, from ln(A/I) = α/μ1² - ln(I/I1): A itself may overflow.
-  double creep_friction(double I) const {
-    return std::sqrt(alpha / (alpha / (mu1_ * mu1_) - std::log(I / I1_)));
-  }
+  double creep_friction(double I) const;
 
   FrictionLaw law_;
   double I1_, mu1_, share1_;  // I1, μ(I1), I1/(I0 + I1)

@@ -1,11 +1,11 @@
 // The regularised granular viscosities, eq. (9)-(12) and a control law: η(|γ|, p) with both
 // derivatives, and the friction law that each tends to as λr → 0.
 //
-// Adding a regularisation is one struct and one name in `Regularisation`: the programs, the
-// Jacobian checks, the studies and the charts then know it.
+// Adding a regularisation is one struct, its formula in regularisation.cpp and one name in
+// `Regularisation`: the programs, the Jacobian checks, the studies and the charts then know it. A
+// formula that changes recompiles its own file.
 #pragma once
 
-#include <cmath>
 #include <concepts>
 #include <optional>
 #include <string>
@@ -34,30 +34,16 @@ struct YieldStressLimit {
   static double well_posedness(const FrictionLaw& law, double I) { return law.well_posedness(I); }
 };
 
-// Second term of eq. (9)-(11): Δμ p / (c + |γ| + λr), c = I0 sqrt(φp)/d*.
-inline Viscosity simple_viscous_part(const FrictionLaw& law, double lambda_r, double shear_rate,
-                                     double pressure) {
-  const double c = law.reference_shear_rate(pressure);
-  const double width = c + shear_rate + lambda_r;
-  const double eta = law.delta_mu * pressure / width;
-  // p dc/dp = c/2, so the pressure derivative stays finite as p → 0.
-  return {eta, -eta / width, law.delta_mu * (1 - 0.5 * c / width) / width};
-}
+/// Second term of eq. (9)-(11): Δμ p / (c + |γ| + λr), c = I0 sqrt(φp)/d*.
+Viscosity simple_viscous_part(const FrictionLaw& law, double lambda_r, double shear_rate,
+                              double pressure);
 
 /// Eq. (9), after Frigaard & Nouar (2005).
 struct Simple : YieldStressLimit {
   static constexpr std::string_view name = "simple";
   static constexpr std::string_view equation = "(9)";
   static Viscosity evaluate(const FrictionLaw& law, double lambda_r, double shear_rate,
-                            double pressure) {
-    Viscosity v = simple_viscous_part(law, lambda_r, shear_rate, pressure);
-    const double width = shear_rate + lambda_r;
-    const double yield = law.mu_s / width;
-    v.eta += yield * pressure;
-    v.d_eta_d_shear_rate -= yield * pressure / width;
-    v.d_eta_d_pressure += yield;
-    return v;
-  }
+                            double pressure);
 };
 
 /// Eq. (10), after Bercovier & Engelman (1980).
@@ -65,15 +51,7 @@ struct BercovierEngelman : YieldStressLimit {
   static constexpr std::string_view name = "bercovier-engelman";
   static constexpr std::string_view equation = "(10)";
   static Viscosity evaluate(const FrictionLaw& law, double lambda_r, double shear_rate,
-                            double pressure) {
-    Viscosity v = simple_viscous_part(law, lambda_r, shear_rate, pressure);
-    const double square = shear_rate * shear_rate + lambda_r * lambda_r;
-    const double yield = law.mu_s / std::sqrt(square);
-    v.eta += yield * pressure;
-    v.d_eta_d_shear_rate -= yield * pressure * shear_rate / square;
-    v.d_eta_d_pressure += yield;
-    return v;
-  }
+                            double pressure);
 };
 
 /// Eq. (11), after Papanastasiou (1987). Defined at |γ| = 0: (1 - e^{-x})/x → 1.
@@ -81,24 +59,7 @@ struct Papanastasiou : YieldStressLimit {
   static constexpr std::string_view name = "papanastasiou";
   static constexpr std::string_view equation = "(11)";
   static Viscosity evaluate(const FrictionLaw& law, double lambda_r, double shear_rate,
-                            double pressure) {
-    Viscosity v = simple_viscous_part(law, lambda_r, shear_rate, pressure);
-    const double x = shear_rate / lambda_r;
-    double value, slope;  // (1 - e^{-x})/x and its derivative (e^{-x}(1 + x) - 1)/x²
-    if (x < 1e-2) {
-      // Series: the closed form of the slope loses 2 log10(1/x) digits.
-      value = 1 + x * (-1. / 2 + x * (1. / 6 + x * (-1. / 24 + x * (1. / 120 - x / 720))));
-      slope = -1. / 2 + x * (1. / 3 + x * (-1. / 8 + x * (1. / 30 + x * (-1. / 144 + x / 840))));
-    } else {
-      value = -std::expm1(-x) / x;
-      slope = (std::exp(-x) - value) / x;
-    }
-    const double yield = law.mu_s * value / lambda_r;
-    v.eta += yield * pressure;
-    v.d_eta_d_shear_rate += law.mu_s * pressure * slope / (lambda_r * lambda_r);
-    v.d_eta_d_pressure += yield;
-    return v;
-  }
+                            double pressure);
 };
 
 /// Eq. (12), the paper's own; its derivatives are eq. (15).
@@ -106,18 +67,7 @@ struct ChauchatMedale : YieldStressLimit {
   static constexpr std::string_view name = "chauchat-medale";
   static constexpr std::string_view equation = "(12)";
   static Viscosity evaluate(const FrictionLaw& law, double lambda_r, double shear_rate,
-                            double pressure) {
-    const double c = law.reference_shear_rate(pressure);
-    const double width = c + shear_rate;
-    const double square = shear_rate * shear_rate + lambda_r * lambda_r;
-    const double root = std::sqrt(square);
-    // width = 0 only where |γ| and p vanish together; friction is then μs.
-    const double ratio = width > 0 ? shear_rate / width : 0;
-    const double slope = width > 0 ? law.delta_mu * c / (width * width * root) : 0;  // A, eq. (15)
-    const double eta_over_p = (law.mu_s + law.delta_mu * ratio) / root;
-    return {eta_over_p * pressure, pressure * (slope - eta_over_p * shear_rate / square),
-            eta_over_p - 0.5 * slope * shear_rate};
-  }
+                            double pressure);
 };
 
 /// What a regularisation must offer: a member that is missing is told in one line.
