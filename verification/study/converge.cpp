@@ -40,19 +40,52 @@ Fit fitted(const std::vector<double>& sizes, const std::vector<double>& errors) 
   return fit;
 }
 
+namespace {
+
+// Every mesh with its errors, each followed by the order against the mesh before it.
+io::Table mesh_by_mesh(const Table& table, const std::vector<Curve>& curves,
+                       const std::vector<std::string>& errors) {
+  io::Table meshes{"mesh by mesh", {"curve", table.mesh_option().substr(2)}, {}};
+  for (const std::string& error : errors) {
+    meshes.header.push_back(error);
+    meshes.header.emplace_back("order");
+  }
+  for (const Curve& curve : curves) {
+    const Row* before = nullptr;
+    for (const Row* row : curve.rows) {
+      auto& cells = meshes.rows.emplace_back();
+      cells = {curve.label, row->option(table.mesh_option())};
+      for (const std::string& error : errors) {
+        const double value = row->number(error);
+        const double order =
+            before ? std::log(before->number(error) / value) /
+                         std::log(before->number("element_size") / row->number("element_size"))
+                   : NAN;
+        cells.push_back(row->is_success() ? io::rounded(value, 3) : row->status());
+        cells.push_back(std::isfinite(order) ? io::fixed(order, 2) : "");
+      }
+      before = row;
+    }
+  }
+  return meshes;
+}
+
+}  // namespace
+
 Findings converge(Table& table) {
   std::vector<std::string> others;  // a curve is measured against its own finest mesh
   for (const Varied& each : table.varied)
     if (each.name != table.mesh_option()) others.push_back(each.name);
   Findings found;
   const auto errors = errors_to_show(table, others);
+  const auto curves = curves_of(table, {table.mesh_option()});
   io::Table orders{"orders of convergence", {"error", "curve", "order", "points"}, {}};
   io::Figure figure{"errors", "", {}, static_cast<int>(std::min<std::size_t>(errors.size(), 2))};
   for (const std::string& error : errors) {
     io::Panel panel{
         table.title_of(error), "size of the elements", table.unit_of(error), true, true, {},
         std::nullopt,          "bottom right"};
-    for (const Curve& curve : curves_of(table, {table.mesh_option()})) {
+    for (const Curve& curve : curves) {
       io::Curve drawn{curve.label, {}, {}};
       for (const Row* row : curve.rows) {
         const double size = row->number("element_size"), value = row->number(error);
@@ -78,6 +111,7 @@ Findings converge(Table& table) {
       "meshes on which the error still falls.";
   found.chapter.figure(figure);
   found.chapter.table(orders);
+  found.chapter.table(mesh_by_mesh(table, curves, errors));
   return found;
 }
 
