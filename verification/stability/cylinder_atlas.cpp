@@ -10,8 +10,8 @@
 
 namespace talus::verification {
 
-const std::vector<Way>& ways() {
-  static const std::vector<Way> all = {
+const std::vector<WayDown>& ways() {
+  static const std::vector<WayDown> all = {
       {"arclength"},
       {"primal-dual", twod::Continuation::primal_dual},
       {"without (16)", twod::Continuation::arclength, false},
@@ -26,14 +26,15 @@ constexpr double loading = 0.054;  // the paper's flowing one
 constexpr int bins = 10;           // of λr from 0.1 to 1e-6, half a decade each
 
 // Elements around that a way is tried on: the quick ones on more meshes.
-std::vector<int> meshes_for(const Way& way, bool full) {
+std::vector<int> meshes_for(const WayDown& way, bool full) {
   const bool is_quick = way.continuation == twod::Continuation::primal_dual;
   if (full) return is_quick ? std::vector{16, 24, 32, 40, 80} : std::vector{16, 24, 32, 40};
   if (!way.in_quick_run) return {};
   return is_quick ? std::vector{16, 24} : std::vector{16};
 }
 
-Followed follow(const rheology::Regularisation& law, int around, const Way& way, int max_points) {
+Followed follow(const rheology::Regularisation& law, int around, const WayDown& way,
+                int max_points) {
   twod::Cylinder scene = cylinder_around(around, law);
   scene.regularises_pressure = way.regularises_pressure;
   scene.pressure_floor = way.pressure_floor;
@@ -113,7 +114,7 @@ void add_folds(io::Curve& folds, const Followed& f) {
 std::vector<LambdaPath> paths(const Context& context) {
   std::vector<LambdaPath> all;
   for (const auto& law : laws_of_paths())
-    for (const Way& way : ways())
+    for (const WayDown& way : ways())
       for (const int around : meshes_for(way, context.full))
         all.push_back({law, way, around, follow(law, around, way, context.full ? 250 : 30)});
   return all;
@@ -164,7 +165,7 @@ void tabulate(Chapter& chapter, const std::vector<LambdaPath>& paths) {
 }
 
 // Whether a way was tried on the law and mesh of a path.
-bool has_mesh(const std::vector<LambdaPath>& paths, const Way& way, const LambdaPath& like) {
+bool has_mesh(const std::vector<LambdaPath>& paths, const WayDown& way, const LambdaPath& like) {
   return std::ranges::any_of(paths, [&](const LambdaPath& path) {
     return path.way.label == way.label && path.around == like.around &&
            rheology::name_of(path.law) == rheology::name_of(like.law);
@@ -174,7 +175,7 @@ bool has_mesh(const std::vector<LambdaPath>& paths, const Way& way, const Lambda
 }  // namespace
 
 void judge_atlas(Chapter& chapter, const std::vector<LambdaPath>& paths) {
-  const Way &arclength = ways()[0], &primal_dual = ways()[1];
+  const WayDown &arclength = ways()[0], &primal_dual = ways()[1];
   int arrived = 0, work_of_primal_dual = 0, work_of_arclength = 0;
   bool is_sound = true;  // the primal-dual tangent, where it should be
   std::string given_up;

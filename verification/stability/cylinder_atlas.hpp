@@ -7,7 +7,7 @@
 namespace talus::verification {
 
 /// A way down in λr.
-struct Way {
+struct WayDown {
   std::string label;
   twod::Continuation continuation = twod::Continuation::arclength;
   bool regularises_pressure = true;
@@ -15,12 +15,12 @@ struct Way {
   bool in_quick_run = true;
 };
 /// Arclength and primal-dual first, which are compared.
-const std::vector<Way>& ways();
+const std::vector<WayDown>& ways();
 
 /// From λr = 0.1 down to 1e-6 at F = 0.054.
 struct LambdaPath {
   rheology::Regularisation law;
-  Way way;
+  WayDown way;
   int around = 0;
   Followed followed;
 };
