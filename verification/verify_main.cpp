@@ -96,7 +96,8 @@ int main(int argc, char** argv) {
     bool passed = true;
     for (const auto& chapter : chapters) {
       std::cout << chapter.name << ": " << chapter.held << " of " << chapter.checks
-                << " checks hold (" << io::rounded(chapter.seconds, 2) << " CPU s)\n"
+                << " checks hold (" << io::fixed(chapter.seconds, chapter.seconds < 10 ? 1 : 0)
+                << " CPU s)\n"
                 << chapter.failures;
       passed = passed && chapter.passed();
     }

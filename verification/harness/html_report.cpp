@@ -166,7 +166,8 @@ std::string html_report(const std::vector<Written>& chapters, const std::string&
     summary += "<tr><td><a href=\"#" + chapter.name + "\">" + chapter.name + "</a><td>" +
                escaped(chapter.title) +
                "<td class=" + (chapter.passed() ? "pass>all " : "fail>not all ") +
-               std::to_string(chapter.checks) + " hold<td>" + io::rounded(chapter.seconds, 2) +
+               std::to_string(chapter.checks) + " hold<td>" +
+               io::fixed(chapter.seconds, chapter.seconds < 10 ? 1 : 0) +
                "<td><code>./run verify " + chapter.name + "</code></tr>\n";
     body += chapter.html;
   }
