@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_that_fails_rests_folds_or_stops_short_fails_a_check
 BOOST_AUTO_TEST_CASE(a_path_of_the_atlas_that_fails_rests_or_folds_is_told) {
   const CylinderMeasures start = measures(0.054, 0.3, 6, 0.1), end = measures(0.054, 0.15, 6.1);
   const Followed right = path({start, end});
-  const WayDown arclength = ways()[0], primal_dual = ways()[1];
+  const WayDown arclength = ways_down()[0], primal_dual = ways_down()[1];
   const auto atlas = [&](const Followed& first, const Followed& second) {
     return judged(judge_atlas, std::vector<LambdaPath>{{control, arclength, 16, first},
                                                        {control, primal_dual, 16, second},

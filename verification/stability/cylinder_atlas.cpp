@@ -10,7 +10,7 @@
 
 namespace talus::verification {
 
-const std::vector<WayDown>& ways() {
+const std::vector<WayDown>& ways_down() {
   static const std::vector<WayDown> all = {
       {"arclength"},
       {"primal-dual", twod::Continuation::primal_dual},
@@ -114,7 +114,7 @@ void add_folds(io::Curve& folds, const Followed& f) {
 std::vector<LambdaPath> paths(const Context& context) {
   std::vector<LambdaPath> all;
   for (const auto& law : laws_of_paths())
-    for (const WayDown& way : ways())
+    for (const WayDown& way : ways_down())
       for (const int around : meshes_for(way, context.full))
         all.push_back({law, way, around, follow(law, around, way, context.full ? 250 : 30)});
   return all;
@@ -143,7 +143,7 @@ void draw(Chapter& chapter, const std::vector<LambdaPath>& paths) {
       if (rheology::name_of(path.law) != name) continue;
       const std::string around = std::to_string(path.around);
       add_row(*map.map, path.way.label + ", " + around, path.followed);
-      if (path.way.label != ways().front().label) continue;
+      if (path.way.label != ways_down().front().label) continue;
       panel.curves.push_back(curve_of(around + " around", path.followed));
       add_folds(folds, path.followed);
     }
@@ -175,7 +175,7 @@ bool has_mesh(const std::vector<LambdaPath>& paths, const WayDown& way, const La
 }  // namespace
 
 void judge_atlas(Chapter& chapter, const std::vector<LambdaPath>& paths) {
-  const WayDown &arclength = ways()[0], &primal_dual = ways()[1];
+  const WayDown &arclength = ways_down()[0], &primal_dual = ways_down()[1];
   int arrived = 0, work_of_primal_dual = 0, work_of_arclength = 0;
   bool is_sound = true;  // the primal-dual tangent, where it should be
   std::string given_up;

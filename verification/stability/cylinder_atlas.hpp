@@ -15,7 +15,7 @@ struct WayDown {
   bool in_quick_run = true;
 };
 /// Arclength and primal-dual first, which are compared.
-const std::vector<WayDown>& ways();
+const std::vector<WayDown>& ways_down();
 
 /// From λr = 0.1 down to 1e-6 at F = 0.054.
 struct LambdaPath {
