@@ -80,8 +80,10 @@ for option in "--tolerance 1e-8" "--max-iterations 5" "--output elsewhere"; do
     "$manufactured" --elements 2 --check-jacobian $option
 done
 check refuses --frobnicate -- "$manufactured" --frobnicate
-check refuses --elements "'400'" GB available "would fit" -- \
-  bash -c 'ulimit -v 1200000; exec "$@"' bash "$manufactured" --model space --elements 400
+if can_limit_memory "$manufactured"; then
+  check refuses --elements "'400'" GB available "would fit" -- \
+    bash -c 'ulimit -v 1200000; exec "$@"' bash "$manufactured" --model space --elements 400
+fi
 
 # 5. A solve that does not succeed says so; so does a Jacobian check.
 run "$manufactured" --elements 4 --max-iterations 1

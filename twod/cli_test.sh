@@ -107,8 +107,10 @@ check refuses --output "'$work/file/below'" -- "$cylinder" --around 16 --output 
 check refuses --frobnicate -- "$cylinder" --frobnicate
 
 with_600_mb=(bash -c 'ulimit -v 600000; exec "$@"' bash)
-check refuses --around "'640'" GB available "would fit" -- \
-  "${with_600_mb[@]}" "$cylinder" --around 640
+if can_limit_memory "$cylinder"; then
+  check refuses --around "'640'" GB available "would fit" -- \
+    "${with_600_mb[@]}" "$cylinder" --around 640
+fi
 check refuses --around "'2000'" "16 ... 640" -- "$cylinder" --around 2000
 
 # 3. A solve that does not succeed says so.
@@ -185,6 +187,7 @@ for way in "primal-dual lambda-r" "natural loading" "arclength loading"; do
   rm -rf "$work/run/results"
   for moment in 0.15 0.3 0.45; do
     (cd "$work/run" && timeout -s KILL $moment "${flow[@]}" --resume >/dev/null 2>&1)
+    waits_for_killed "$work/run/results/cylinder"
   done
   run_again "${flow[@]}" --resume
   check expect_code 0
@@ -198,6 +201,7 @@ check reached_by "creep from rest" "newton from the load before" "path in λr"
 rm -rf "$work/run/results"
 for moment in 0.1 0.2 0.3; do
   (cd "$work/run" && timeout -s KILL $moment "${flow[@]}" --resume >/dev/null 2>&1)
+  waits_for_killed "$work/run/results/cylinder"
 done
 run_again "${flow[@]}" --resume
 check expect_code 0

@@ -92,11 +92,8 @@ std::string in_gigabytes(double bytes) {
   const double gigabytes = bytes / 1e9;
   std::ostringstream text;
   text.setf(std::ios::fixed);
-  text.precision(
-      gigabytes >= 10
-          ? 0
-          : std::clamp(1 - static_cast<int>(std::floor(std::log10(std::max(gigabytes, 1e-3)))), 0,
-                       4));
+  const double decimals = 1 - std::floor(std::log10(std::max(gigabytes, 1e-3)));
+  text.precision(decimals > 0 ? static_cast<int>(std::min(decimals, 4.0)) : 0);  // 0 of no number
   text << gigabytes << " GB";
   return text.str();
 }

@@ -66,6 +66,14 @@ holds_one_run() {
   expect_code 0
 }
 
+# can_limit_memory PROGRAM: one that is sanitised reserves terabytes of addresses, whatever it needs.
+can_limit_memory() {
+  ! ldd "$1" | grep -q libasan || { echo "skipped: the limits of memory of $1, which is sanitised"; return 1; }
+}
+
+# waits_for_killed FOLDER: until a run that was killed has let go of it.
+waits_for_killed() { [ ! -d "$1" ] || flock --timeout 20 "$1" true; }
+
 # says_when_stdout_is_full PROGRAM OPTIONS...
 says_when_stdout_is_full() {
   run "$@"  # for an empty folder and stderr
