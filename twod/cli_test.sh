@@ -53,6 +53,18 @@ same_numbers() {  # AS: the last run left the same numbers as were written to th
   cmp -s "$1" <(numbers "$work/run/results/cylinder") || { echo "other numbers than at once"; return 1; }
 }
 
+# check_kills SECONDS...: $flow, killed at each of these moments and resumed, leaves the numbers at once.
+check_kills() {
+  local moment
+  for moment in "$@"; do
+    (cd "$work/run" && timeout -s KILL "$moment" "${flow[@]}" --resume >/dev/null 2>&1)
+    waits_for_killed "$work/run/results/cylinder"
+  done
+  run_again "${flow[@]}" --resume
+  check expect_code 0
+  check same_numbers "$work/at_once"
+}
+
 # flip_bit FILE BYTE: the lowest bit of a byte, counted from 0.
 flip_bit() {
   local byte
@@ -185,13 +197,7 @@ for way in "primal-dual lambda-r" "natural loading" "arclength loading"; do
   check succeeds cylinder "${flow[@]}"
   numbers "$work/run/results/cylinder" >"$work/at_once"
   rm -rf "$work/run/results"
-  for moment in 0.15 0.3 0.45; do
-    (cd "$work/run" && timeout -s KILL $moment "${flow[@]}" --resume >/dev/null 2>&1)
-    waits_for_killed "$work/run/results/cylinder"
-  done
-  run_again "${flow[@]}" --resume
-  check expect_code 0
-  check same_numbers "$work/at_once"
+  check_kills 0.15 0.3 0.45
 done
 # Without a path as well: the first two loadings creep, the third does not.
 flow=("$cylinder" --around 16 --loading 0.03 0.045 0.05)
@@ -199,13 +205,7 @@ check succeeds cylinder "${flow[@]}"
 numbers "$work/run/results/cylinder" >"$work/at_once"
 check reached_by "creep from rest" "newton from the load before" "path in λr"
 rm -rf "$work/run/results"
-for moment in 0.1 0.2 0.3; do
-  (cd "$work/run" && timeout -s KILL $moment "${flow[@]}" --resume >/dev/null 2>&1)
-  waits_for_killed "$work/run/results/cylinder"
-done
-run_again "${flow[@]}" --resume
-check expect_code 0
-check same_numbers "$work/at_once"
+check_kills 0.1 0.2 0.3
 # What is asked for is done, creep or not; the flow is the same.
 drag=$(result drag)
 run "${flow[@]}" --continuation primal-dual

@@ -111,6 +111,59 @@ std::string advice_for(const Options& options) {
   return "try the other --route, " + advice + "; past some loading there is no steady flow at all";
 }
 
+nlohmann::json summary_of(const Options& options, const twod::CylinderSweep& sweep,
+                          bool reached_all) {
+  const auto& cylinder = sweep.cylinder();
+  nlohmann::json summary = {
+      {"scene", "cylinder"},
+      {"model", "plane"},
+      {"parameters", sweep.parameters()},
+      {"status", sweep.status()},
+      {"elements", cylinder.space().element_count()},
+      {"element_size", std::numbers::pi / options.run.scene.mesh.around},  // on the cylinder
+      {"unknowns", cylinder.space().size()},
+      {"condensed_unknowns", cylinder.flow().system().unknowns()},
+      {"iterations", sweep.factorisations()},
+      {"factorisations", sweep.factorisations()},
+      {"folds", sweep.folds()},
+      {"reached", nlohmann::json::array()},
+      {"sweep", nlohmann::json::array()},
+      {"results", nlohmann::json::object()}};
+  for (const auto& arrival : sweep.arrivals()) summary["reached"].push_back(twod::as_json(arrival));
+  for (const auto& measures : sweep.reached_loadings())
+    summary["sweep"].push_back(twod::as_json(measures));
+  if (reached_all) summary["results"] = summary["sweep"].back();
+  return summary;
+}
+
+// The summary last: where it is, the others are. Those of a path that failed say how it went.
+// Returns the names of the files.
+std::string write_files(const io::ResultFolder& folder, const Options& options,
+                        const twod::CylinderSweep& sweep, bool reached_all,
+                        const nlohmann::json& summary) {
+  std::vector<io::Figure> figures;
+  std::string written = " summary.json sweep.pvd";
+  folder.write("sweep.pvd", io::to_pvd(sweep.series()));
+  if (!sweep.records().empty()) {  // none if no path set out
+    folder.write("path.csv", io::to_csv(twod::path_table(sweep.records())));
+    figures.push_back(twod::path_figure(sweep.records()));
+    written += " path.csv";
+  }
+  if (!sweep.reached_loadings().empty()) {
+    figures.push_back(twod::drag_figure(sweep.reached_loadings(), options.run.confining_pressures));
+    written += " sweep.csv";
+  }
+  if (reached_all) {
+    folder.write("perimeter.csv",
+                 io::to_csv(twod::perimeter_table(sweep.cylinder(), sweep.state())));
+    figures.push_back(twod::perimeter_figure(sweep.cylinder(), sweep.state()));
+    written += " perimeter.csv";
+  }
+  if (options.plot) written += io::draw(folder, figures);
+  folder.write("summary.json", summary.dump(2) + "\n");
+  return written;
+}
+
 int run(Options& options, scene::Case& a_case) {
   // 1. The scene: mesh, boundary conditions, law.
   read(options);
@@ -133,48 +186,11 @@ int run(Options& options, scene::Case& a_case) {
   });
   const twod::CylinderSweep& sweep = *solved;
 
-  // 3. What came out.
-  nlohmann::json summary = {
-      {"scene", "cylinder"}, {"model", "velocity-pressure"}, {"parameters", sweep.parameters()}};
-  summary["status"] = sweep.status();
-  summary["elements"] = sweep.cylinder().space().element_count();
-  summary["element_size"] = std::numbers::pi / options.run.scene.mesh.around;  // on the cylinder
-  summary["unknowns"] = sweep.cylinder().space().size();
-  summary["condensed_unknowns"] = sweep.cylinder().flow().system().unknowns();
-  summary["iterations"] = summary["factorisations"] = sweep.factorisations();
-  summary["folds"] = sweep.folds();
-  summary["reached"] = nlohmann::json::array();
-  for (const auto& arrival : sweep.arrivals()) summary["reached"].push_back(twod::as_json(arrival));
+  // 3. What came out, and the files.
+  nlohmann::json summary = summary_of(options, sweep, reached_all);
   summary["seconds"] = watch.seconds();
-  summary["results"] = nlohmann::json::object();
-  summary["sweep"] = nlohmann::json::array();
-  for (const auto& measures : sweep.reached_loadings())
-    summary["sweep"].push_back(twod::as_json(measures));
-  if (reached_all) summary["results"] = summary["sweep"].back();
   a_case.complete(summary);
-
-  // 4. The files, the summary last: where it is, the others are. Those of a path that failed say
-  // how it went.
-  std::vector<io::Figure> figures;
-  std::string written = " summary.json sweep.pvd";
-  folder.write("sweep.pvd", io::to_pvd(sweep.series()));
-  if (!sweep.records().empty()) {  // none if no path set out
-    folder.write("path.csv", io::to_csv(twod::path_table(sweep.records())));
-    figures.push_back(twod::path_figure(sweep.records()));
-    written += " path.csv";
-  }
-  if (!sweep.reached_loadings().empty()) {
-    figures.push_back(twod::drag_figure(sweep.reached_loadings(), options.run.confining_pressures));
-    written += " sweep.csv";
-  }
-  if (reached_all) {
-    folder.write("perimeter.csv",
-                 io::to_csv(twod::perimeter_table(sweep.cylinder(), sweep.state())));
-    figures.push_back(twod::perimeter_figure(sweep.cylinder(), sweep.state()));
-    written += " perimeter.csv";
-  }
-  if (options.plot) written += io::draw(folder, figures);
-  folder.write("summary.json", summary.dump(2) + "\n");
+  const std::string written = write_files(folder, options, sweep, reached_all, summary);
   a_case.write(summary);
   std::cout << sweep.factorisations() << " factorisations, " << sweep.folds() << " folds, "
             << io::rounded(watch.seconds(), 3) << " s";

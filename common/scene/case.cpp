@@ -45,6 +45,10 @@ Case::Case(CLI::App& app, const Description& description) : app_(app), descripti
 int Case::run_program(int argc, char** argv, const std::function<int()>& body) {
   words_.assign(argv + std::min(argc, 1), argv + argc);
   return io::run_program(app_, argc, argv, [&] {
+    const CLI::Option* check = app_.get_option_no_throw("--check-jacobian");
+    const bool solves = !check || check->count() == 0;
+    io::refuse_unused(app_,
+                      {{{"--record", "--reference", "--repeat"}, solves, "--check-jacobian"}});
     if (!describe_) return body();
     std::cout << as_json(description_, app_).dump(2) << '\n';
     return 0;
@@ -53,7 +57,10 @@ int Case::run_program(int argc, char** argv, const std::function<int()>& body) {
 
 io::ResultFolder Case::folder(const std::string& output) {
   if (!reference_.empty()) reference_values_ = reference_values(reference_);
-  if (!record_.empty()) io::remove_file("--record", record_);
+  if (!record_.empty()) {  // told before anything is solved
+    io::write_file("--record", record_, "");
+    io::remove_file("--record", record_);
+  }
   const auto is_given = [&](const char* name) {
     const CLI::Option* option = app_.get_option_no_throw(name);
     return option && option->count() > 0;

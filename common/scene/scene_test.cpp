@@ -34,11 +34,12 @@ Run run_with(std::vector<std::string> words, const json& results = {{"flow", 2.0
   double lambda = 1e-6;
   int elements = 40;
   std::string output = "out";
-  bool plot = false;
+  bool plot = false, checks = false;
   io::add_real(app, "--lambda-r", lambda, "", 1e-12, 1);
   io::add_integer(app, "--elements", elements, "", 1, 100);
   io::add_text(app, "--output", output, "");
   app.add_flag("--plot", plot, "");
+  app.add_flag("--check-jacobian", checks, "");
   scene::Case a_case(app, description);
   words.insert(words.begin(), "made-up");
   std::vector<char*> pointers;
@@ -102,6 +103,24 @@ BOOST_AUTO_TEST_CASE(a_record_is_one_line_and_comes_alone_unless_more_is_asked_f
   BOOST_TEST(std::filesystem::exists(out / "summary.json"));
   BOOST_TEST(run_with({"--output", out.string(), "--repeat", "3"}).solved == 3);
   BOOST_TEST(run_with({"--record", file.string()}).solved > 1);  // of no time: it is repeated
+}
+
+BOOST_AUTO_TEST_CASE(a_record_that_cannot_be_written_is_refused_before_anything_is_solved) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() / "file";
+  std::ofstream(file) << "kept";
+  for (const std::string& place : {folder.path().string(), file + "/below.json"}) {
+    const Run run = run_with({"--record", place});
+    BOOST_TEST(run.code == 2, place);
+    BOOST_TEST(run.solved == 0, place);
+  }
+  BOOST_TEST(contents_of(file) == "kept");
+}
+
+BOOST_AUTO_TEST_CASE(a_jacobian_check_has_no_record) {
+  BOOST_TEST(run_with({"--check-jacobian", "--record", "nowhere.json"}).code == 2);
+  BOOST_TEST(run_with({"--check-jacobian", "--repeat", "2"}).code == 2);
+  BOOST_TEST(run_with({"--check-jacobian", "--dry-run"}).code == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_dry_run_solves_and_writes_nothing) {

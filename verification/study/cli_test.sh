@@ -96,5 +96,6 @@ check refuses "sweep: no option has several numbers" -- "$study" sweep heap
 check refuses "ladder: it takes several values of --model" -- "$study" ladder heap
 check refuses "--jobs" "'0'" -- "$study" cost heap --jobs 0
 check refuses "SCENE" -- "$study" cost
+check refuses "--merge: 'nowhere'" -- "$study" cost heap --elements 4x4,8x8 --merge nowhere
 
 finish

@@ -81,7 +81,11 @@ int run(Asked& asked, const std::string& command) {
   const auto cases = study::possible(table.program, study::combinations(table.varied));
   if (asked.output.empty()) asked.output = "results/study/" + kind.name + "-" + asked.scene;
   if (!asked.merge.empty())
-    for (const std::string& each : io::split(asked.merge, ',')) asked.run.merged.emplace_back(each);
+    for (const std::string& each : io::split(asked.merge, ',')) {
+      if (!std::filesystem::is_directory(each))
+        throw io::UserError("--merge: '" + each + "' is no folder");
+      asked.run.merged.emplace_back(each);
+    }
   const std::filesystem::path records = std::filesystem::path(asked.output) / "cases";
   if (asked.list) {
     print_cases(table.program, cases, records);
