@@ -43,6 +43,7 @@ Findings sweep(Table& table) {
         } else if (!row->is_success() && std::isfinite(lowest)) {
           io::Curve& mark = failures[row->status()];
           mark.label = row->status();
+          std::ranges::replace(mark.label, '_', ' ');  // gnuplot lowers what follows one
           mark.style = io::Style::rings;
           mark.x.push_back(x);
           mark.y.push_back(lowest);
