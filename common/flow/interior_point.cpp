@@ -149,14 +149,6 @@ InteriorPointSummary InteriorPoint<Dim>::solve(ConeState<Dim>& state,
     const bool is_better = is_finite && now.relative_gap > 0 &&
                            (!was_in_equilibrium ||
                             (in_equilibrium && now.relative_gap < summary.last_good.relative_gap));
-    if (is_better) {
-      good = state;
-      summary.last_good = now;
-      was_in_equilibrium = in_equilibrium;
-      since_good = 0;
-    } else if (!is_finite || ++since_good >= patience) {
-      return gave_up(is_finite ? solve::End::stagnated : solve::End::non_finite);
-    }
     if (in_equilibrium && is_within_yield<Dim>(space_, law_, pressure_, state.stress)) {
       // Rest is then the exact minimum of the discrete energy.
       state.velocity.set_zero();
@@ -166,9 +158,18 @@ InteriorPointSummary InteriorPoint<Dim>::solve(ConeState<Dim>& state,
       summary.last_good.relative_gap = 0;
       return ended(solve::End::converged);
     }
-    if (is_better && load_.dot(state.velocity.value()) > 0 &&
+    // True of any velocity, near its equilibrium or not.
+    if (is_finite && load_.dot(state.velocity.value()) > 0 &&
         recession<Dim>(space_, law_, pressure_, load_, state.velocity) < 0)
       return ended(solve::End::no_steady_state);
+    if (is_better) {
+      good = state;
+      summary.last_good = now;
+      was_in_equilibrium = in_equilibrium;
+      since_good = 0;
+    } else if (!is_finite || ++since_good >= patience) {
+      return gave_up(is_finite ? solve::End::stagnated : solve::End::non_finite);
+    }
     // A gap bounds an energy, which goes with the square of the velocity.
     const double near =
         std::sqrt(options.tolerance) * state.velocity.value().template lpNorm<Eigen::Infinity>();

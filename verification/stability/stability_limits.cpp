@@ -59,10 +59,13 @@ io::Curve sweep_load(const oned::ShearScene& scene, int elements, int loads, Lim
 std::vector<std::string> discrete_limits(const oned::ShearScene& scene, int elements,
                                          LimitCounts& counts) {
   std::vector<double> undecided;
+  // That a flow exists takes a gap, not one at round-off; the certificates know no tolerance.
+  oned::SolveOptions deciding = reference_method().options;
+  deciding.interior_point.tolerance = 1e-6;
   const auto certificate = [&](double load) {
     const auto loaded = scene.load.scene(load);
-    auto solution = oned::solve(loaded, oned::boundaries(loaded, {.elements = elements}),
-                                reference_method().options);
+    auto solution =
+        oned::solve(loaded, oned::boundaries(loaded, {.elements = elements}), deciding);
     const bool flows_not = solution.end == solve::End::no_steady_state;
     if (!flows_not && !solve::is_success(solution.end)) undecided.push_back(load);
     return solution;
