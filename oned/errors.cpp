@@ -67,7 +67,7 @@ Errors norms(const std::vector<Element>& elements, std::optional<double> kink,
 }
 
 // Of values at the quadrature points apart from others there; NaN unless both are known at all.
-PointNorms point_norms(const flow::CrossSection<1>& space, const std::vector<double>& values,
+PointNorms point_norms(const shear::CrossSection<1>& space, const std::vector<double>& values,
                        const std::vector<double>& others) {
   const auto& points = space.points();
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -83,7 +83,7 @@ PointNorms point_norms(const flow::CrossSection<1>& space, const std::vector<dou
   return norms;
 }
 
-std::vector<double> at_points(const flow::CrossSection<1>& space,
+std::vector<double> at_points(const shear::CrossSection<1>& space,
                               const std::function<double(double)>& profile) {
   std::vector<double> values;
   for (const auto& point : space.points()) values.push_back(profile(point.position[0]));

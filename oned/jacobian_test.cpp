@@ -6,8 +6,8 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "common/flow/jacobian_problems.hpp"
 #include "common/program/summary.hpp"
+#include "common/shear/shear_jacobian.hpp"
 #include "oned/bagnold.hpp"
 #include "oned/chute.hpp"
 #include "oned/scenes.hpp"
@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(a_right_tangent_passes_whatever_the_scene_law_mesh_and_lamb
         SolveOptions options;
         options.regularisation = law;
         options.lambda_r = lambda_r;
-        if (count++ % 3 == 0) options.tangent_term = flow::TangentTerm::primal_dual;
+        if (count++ % 3 == 0) options.tangent_term = shear::TangentTerm::primal_dual;
         const auto [worst, state] = verdict(scene, mesh, options);
         BOOST_TEST(name_of(worst) == "ok", described(scene, options, mesh) << ", " << state);
       }
@@ -109,14 +109,14 @@ BOOST_AUTO_TEST_CASE(one_entry_a_percent_off_is_wrong_and_located) {
     for (const int elements : {1, 5, 40})
       for (const double lambda_r : {1e-1, 1e-10}) {
         const std::vector<double> line = boundaries(scene, {elements});
-        flow::CrossSection<1> space = space_of(scene, line);
-        flow::ShearFlow<1> problem(
+        shear::CrossSection<1> space = space_of(scene, line);
+        shear::ShearFlow<1> problem(
             space, {scene.law(), rheology::ChauchatMedale{}, lambda_r},
             [&](const auto& x) { return scene.pressure(x[0]); }, [](const auto&) { return 0.; });
         solve::CompensatedVector state(space.node_count());
         for (Eigen::Index i = 0; i < state.size(); ++i)
           state.set(i, lambda_r * space.mesh().nodes[static_cast<std::size_t>(i)][0]);
-        auto jacobian = flow::jacobian_problem(problem, space, state);
+        auto jacobian = shear::jacobian_problem(problem, space, state);
         const auto right = jacobian.product;
         const Eigen::Index middle = 2 * (elements / 2) + 1, last = space.node_count() - 1;
         for (const auto& [row, column] : {std::pair{middle, middle},

@@ -109,11 +109,11 @@ io::Figure profile_figure(const ShearScene& scene,
       exact.x.clear();
       exact.y.clear();
       for (const auto& row : profile_table(scene, *solution).rows) {
-        const double value = std::stod(row[quantity.column]);
-        const double exact_value = std::stod(row[quantity.column + 1]);
+        const double value = io::number_in(row[quantity.column]);
+        const double exact_value = io::number_in(row[quantity.column + 1]);
         const double error = std::abs(value - exact_value);
         if (quantity.is_error && error == 0) continue;  // no place on a logarithmic axis
-        computed.x.push_back(std::stod(row[0]));
+        computed.x.push_back(io::number_in(row[0]));
         computed.y.push_back(quantity.is_error ? error : value);
         exact.x.push_back(computed.x.back());
         exact.y.push_back(exact_value);

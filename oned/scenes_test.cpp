@@ -214,10 +214,10 @@ BOOST_AUTO_TEST_CASE(every_scene_passes_its_jacobian_check_and_fails_it_with_a_b
       options.method = method;
       options.lambda_r = 1e-4;
       const std::vector<double> line = boundaries(scene, {.elements = 5});
-      for (const flow::NamedCheck& named : check_jacobian(scene, line, options))
+      for (const solve::NamedCheck& named : check_jacobian(scene, line, options))
         BOOST_TEST(named.check.passed(), scene.name << ", " << named.state);
       if (method != Method::newton) continue;
-      options.tangent_term = flow::TangentTerm::wrong_sign;
+      options.tangent_term = shear::TangentTerm::wrong_sign;
       BOOST_CHECK(check_jacobian(scene, line, options).back().check.verdict() ==
                   solve::Verdict::wrong);
     }

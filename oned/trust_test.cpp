@@ -15,7 +15,7 @@ namespace {
 double distance_left(const oned::ShearScene& scene, const std::vector<double>& line,
                      const oned::SolveOptions& options, const oned::Solution& solution) {
   auto space = oned::space_of(scene, line);
-  auto problem = flow::regularised_problem(space, oned::load_of(scene), options);
+  auto problem = shear::regularised_problem(space, oned::load_of(scene), options);
   solve::CompensatedVector state = solution.velocity, step;
   for (int i = 0; i < 3; ++i) {
     const Eigen::VectorXd residual = problem.evaluate(state).value;
@@ -33,7 +33,7 @@ double largest_distance_left(double tolerance, double distance, solve::Precision
       for (const double lambda_r : {1e-2, 1e-4, 1e-8, 1e-12})
         for (const oned::MeshOptions& mesh :
              {oned::MeshOptions{.elements = 5}, {.elements = 40, .grading = 2}})
-          for (const auto term : {flow::TangentTerm::full, flow::TangentTerm::primal_dual}) {
+          for (const auto term : {shear::TangentTerm::full, shear::TangentTerm::primal_dual}) {
             oned::SolveOptions options;
             options.regularisation = law;
             options.lambda_r = lambda_r;
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(a_duality_gap_stands_for_a_velocity_as_good_as_its_root) {
       for (const int elements : {1, 2, 5, 40, 80}) {
         const auto line = oned::boundaries(scene, {.elements = elements});
         oned::SolveOptions options;
-        options.method = flow::Method::interior_point;
+        options.method = shear::Method::interior_point;
         options.interior_point.tolerance = 2e-15;
         const auto exact = oned::solve(scene, line, options);
         options.interior_point.tolerance = tolerance;

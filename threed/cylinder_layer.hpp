@@ -2,7 +2,7 @@
 // symmetry at back and front.
 #pragma once
 
-#include "common/flow/layer.hpp"
+#include "common/mixed/layer.hpp"
 #include "twod/cylinder.hpp"
 
 namespace talus::threed {
@@ -16,9 +16,9 @@ class CylinderLayer {
   CylinderLayer(const CylinderLayer&) = delete;  // flow_ refers to space_
   CylinderLayer& operator=(const CylinderLayer&) = delete;
 
-  const flow::DenseSpace<3>& space() const { return space_; }
-  flow::DenseFlow<3>& flow() { return flow_; }
-  const flow::DenseFlow<3>& flow() const { return flow_; }
+  const mixed::MixedSpace<3>& space() const { return space_; }
+  mixed::MixedFlow<3>& flow() { return flow_; }
+  const mixed::MixedFlow<3>& flow() const { return flow_; }
 
   /// Drag per unit thickness on the whole cylinder, F_D/(p_ext D), from the consistent nodal
   /// reactions at the state last evaluated.
@@ -26,8 +26,8 @@ class CylinderLayer {
 
  private:
   double thickness_, halves_;
-  flow::DenseSpace<3> space_;
-  flow::DenseFlow<3> flow_;
+  mixed::MixedSpace<3> space_;
+  mixed::MixedFlow<3> flow_;
 };
 
 }  // namespace talus::threed

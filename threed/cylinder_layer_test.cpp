@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_CASE(from_rest_the_layer_creeps_as_the_plane) {
     const auto solved =
         solve::newton_along_path(layer.flow(), state, newton_options, {.first = 0.1});
     BOOST_TEST_REQUIRE(solve::is_success(solved.newton.end));
-    const auto apart = flow::departure_from_plane(plane.space(), of_plane, layer.space(), state);
+    const auto apart = mixed::departure_from_plane(plane.space(), of_plane, layer.space(), state);
     BOOST_TEST(apart.velocity < 1e-10);
     BOOST_TEST(apart.cross_flow < 1e-10);
     BOOST_TEST(apart.pressure < 1e-10);
@@ -49,11 +49,11 @@ BOOST_AUTO_TEST_CASE(another_loading_is_another_flow) {
   solve::newton_along_path(plane.flow(), of_plane, newton_options, {.first = 0.1});
   threed::CylinderLayer layer(plane);
   layer.flow().set_load_factor(0.03 * (1 + 1e-7));
-  auto state = flow::extruded_state(plane.space(), of_plane, layer.space());
-  BOOST_TEST(flow::departure_from_plane(plane.space(), of_plane, layer.space(), state).pressure <
+  auto state = mixed::extruded_state(plane.space(), of_plane, layer.space());
+  BOOST_TEST(mixed::departure_from_plane(plane.space(), of_plane, layer.space(), state).pressure <
              1e-14);
   BOOST_TEST_REQUIRE(solve::is_success(solve::newton(layer.flow(), state, newton_options).end));
-  const auto apart = flow::departure_from_plane(plane.space(), of_plane, layer.space(), state);
+  const auto apart = mixed::departure_from_plane(plane.space(), of_plane, layer.space(), state);
   BOOST_TEST(apart.velocity > 1e-9);
   BOOST_TEST(apart.pressure > 1e-9);
 }

@@ -19,18 +19,19 @@ std::array<std::vector<double>, 3> lines_of(const Heap& heap, const HeapMesh& me
 }
 
 // Boundaries by their names in a tensor mesh.
-flow::BoundaryConditions<3> boundary_conditions(const Heap& heap) {
-  return {{"left", flow::fully_developed<3>(0)},
-          {"right", heap.open_outlet == flow::Open::no ? flow::fully_developed<3>(0)
-                                                       : flow::open_boundary<3>(heap.open_outlet)},
-          {"bottom", flow::symmetry<3>(1)},  // y = 0
-          {"top", flow::no_slip<3>()},       // the side wall
-          {"back", flow::no_slip<3>()},      // z = 0
-          {"front", {}}};                    // the free surface
+mixed::BoundaryConditions<3> boundary_conditions(const Heap& heap) {
+  return {
+      {"left", mixed::fully_developed<3>(0)},
+      {"right", heap.open_outlet == mixed::Open::no ? mixed::fully_developed<3>(0)
+                                                    : mixed::open_boundary<3>(heap.open_outlet)},
+      {"bottom", mixed::symmetry<3>(1)},  // y = 0
+      {"top", mixed::no_slip<3>()},       // the side wall
+      {"back", mixed::no_slip<3>()},      // z = 0
+      {"front", {}}};                     // the free surface
 }
 
-flow::DenseLoad<3> load_of(const Heap& heap) {
-  using flow::Point;
+mixed::MixedLoad<3> load_of(const Heap& heap) {
+  using fem::Point;
   const auto load = twod::load_of(heap.section);
   return {[=](const Point<3>& x) { return load.pressure(x.tail<2>()); },
           [=](const Point<3>& x) { return Point<3>(load.body_force(x.tail<2>()), 0, 0); }};
@@ -48,21 +49,16 @@ HeapFlow::HeapFlow(const Heap& heap, const HeapMesh& mesh)
     : heap_(heap),
       mesh_(mesh),
       lines_(lines_of(heap, mesh)),
-      space_(flow::box_mesh(lines_[0], lines_[1], lines_[2]), boundary_conditions(heap)),
+      space_(fem::box_mesh(lines_[0], lines_[1], lines_[2]), boundary_conditions(heap)),
       flow_(space_, {heap.section.law, heap.regularisation, heap.lambda_r}, load_of(heap)) {}
 
-HeapPoint HeapFlow::point_at(const State& state, std::size_t element,
-                             const flow::Point<3>& reference) const {
-  HeapPoint point{space_.values_at(state, element, reference)};
-  point.total_pressure = point.values.pressure +
-                         twod::load_of(heap_.section).pressure(point.values.position.tail<2>());
-  point.shear_rate = point.values.shear_rate();
-  point.viscosity = flow_.rheology().evaluate(point.shear_rate, point.total_pressure).eta;
-  return point;
+mixed::FlowPoint<3> HeapFlow::point_at(const State& state, std::size_t element,
+                                       const fem::Point<3>& reference) const {
+  return flow_.point_at(state, element, reference);
 }
 
-HeapPoint HeapFlow::point_at(const State& state, const flow::Point<3>& position) const {
-  const auto place = flow::locate<3>({lines_[0], lines_[1], lines_[2]}, position);
+mixed::FlowPoint<3> HeapFlow::point_at(const State& state, const fem::Point<3>& position) const {
+  const auto place = fem::locate<3>({lines_[0], lines_[1], lines_[2]}, position);
   return point_at(state, place.element, place.reference);
 }
 

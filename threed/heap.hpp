@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "common/flow/dense_flow.hpp"
+#include "common/mixed/mixed_flow.hpp"
 #include "twod/section.hpp"
 
 namespace talus::threed {
@@ -19,7 +19,7 @@ struct Heap {
   twod::Section section;  ///< without slip at the wall
   rheology::Regularisation regularisation = rheology::ChauchatMedale{};
   double lambda_r = 1e-5;
-  flow::Open open_outlet = flow::Open::no;  ///< the open boundary of eq. (8) downstream
+  mixed::Open open_outlet = mixed::Open::no;  ///< the open boundary of eq. (8) downstream
 };
 
 /// Elements along the stream, and those of the section.
@@ -32,14 +32,6 @@ struct HeapMesh {
 /// Half as many elements each way, rounded up, on the same box; nothing where that saves nothing.
 std::optional<HeapMesh> coarsened(const Heap& heap, const HeapMesh& mesh);
 
-/// What holds at a point of a solution.
-struct HeapPoint {
-  flow::DenseSpace<3>::Values values;  ///< with the dynamic pressure
-  double total_pressure = 0, shear_rate = 0, viscosity = 0;
-
-  double stress() const { return viscosity * shear_rate; }
-};
-
 /// The discrete problem of a scene.
 class HeapFlow {
  public:
@@ -50,21 +42,21 @@ class HeapFlow {
 
   const Heap& heap() const { return heap_; }
   const HeapMesh& mesh() const { return mesh_; }
-  const flow::DenseSpace<3>& space() const { return space_; }
-  flow::DenseFlow<3>& flow() { return flow_; }
-  const flow::DenseFlow<3>& flow() const { return flow_; }
+  const mixed::MixedSpace<3>& space() const { return space_; }
+  mixed::MixedFlow<3>& flow() { return flow_; }
+  const mixed::MixedFlow<3>& flow() const { return flow_; }
 
-  HeapPoint point_at(const State& state, std::size_t element,
-                     const flow::Point<3>& reference) const;
+  mixed::FlowPoint<3> point_at(const State& state, std::size_t element,
+                               const fem::Point<3>& reference) const;
   /// The same at a position inside the box.
-  HeapPoint point_at(const State& state, const flow::Point<3>& position) const;
+  mixed::FlowPoint<3> point_at(const State& state, const fem::Point<3>& position) const;
 
  private:
   Heap heap_;
   HeapMesh mesh_;
   std::array<std::vector<double>, 3> lines_;  // element boundaries along the axes
-  flow::DenseSpace<3> space_;
-  flow::DenseFlow<3> flow_;
+  mixed::MixedSpace<3> space_;
+  mixed::MixedFlow<3> flow_;
 };
 
 }  // namespace talus::threed

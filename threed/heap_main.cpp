@@ -16,7 +16,7 @@
 #include <iostream>
 #include <optional>
 
-#include "common/flow/dense_jacobian.hpp"
+#include "common/mixed/mixed_jacobian.hpp"
 #include "common/program/summary.hpp"
 #include "common/scene/case.hpp"
 #include "common/solve/stopwatch.hpp"
@@ -33,20 +33,20 @@ using Options = threed::ProgramOptions;
 
 int check_jacobian(const Options& options) {
   if (!options.is_space()) {
-    flow::CrossSection<2> space = twod::space_of(options.section, options.mesh.section);
-    return program::report("heap", flow::check_jacobian(space, twod::load_of(options.section),
-                                                        section_options(options)));
+    shear::CrossSection<2> space = twod::space_of(options.section, options.mesh.section);
+    return program::report("heap", shear::check_jacobian(space, twod::load_of(options.section),
+                                                         section_options(options)));
   }
   threed::HeapFlow heap(heap_of(options), options.mesh);
   if (options.method.tangent == "wrong-sign")
     heap.flow().set_tangent_factors({.shear_rate = -1, .pressure = -1});
   const double pressure = 0.5 * options.section.height * std::cos(options.section.angle);
-  return program::report("heap", flow::check_jacobian(heap.flow(), pressure));
+  return program::report("heap", mixed::check_jacobian(heap.flow(), pressure));
 }
 
 // Solves the section at the given angle or at the one that carries the given flow rate.
-twod::SectionSolution solve_section(const Options& options, flow::CrossSection<2>& space) {
-  const flow::ShearOptions method = section_options(options);
+twod::SectionSolution solve_section(const Options& options, shear::CrossSection<2>& space) {
+  const shear::ShearOptions method = section_options(options);
   const solve::Stopwatch watch;
   const twod::SectionMesh& mesh = options.mesh.section;
   twod::SectionSolution solution =
@@ -66,7 +66,7 @@ std::string advice_for(const Options& options, solve::End end) {
 
 // What was found, by the model asked for: the section itself, or the one in the middle of the heap.
 struct Found {
-  std::unique_ptr<flow::CrossSection<2>> space;  // of the section
+  std::unique_ptr<shear::CrossSection<2>> space;  // of the section
   std::optional<twod::SectionSolution> section;
   std::optional<threed::HeapSolution> heap;
 
@@ -76,7 +76,7 @@ struct Found {
 // At the given angle, or at the one that carries the given flow rate. The angle of the
 // three-dimensional model is that of its cross-section: both have the same flow rate.
 Found solve(Options& options) {
-  Found found{std::make_unique<flow::CrossSection<2>>(
+  Found found{std::make_unique<shear::CrossSection<2>>(
                   twod::space_of(options.section, options.mesh.section)),
               {},
               {}};
@@ -119,7 +119,7 @@ std::vector<std::string> files() {
 void write_files(const io::ResultFolder& folder, const Found& found, const nlohmann::json& results,
                  bool plot) {
   const auto& heap = found.heap;
-  const flow::CrossSection<2>& space = *found.space;
+  const shear::CrossSection<2>& space = *found.space;
   const twod::SectionSolution& solution = found.solution();
   const std::string iterations = program::iteration_file(solution);
   std::string written = " summary.json " + iterations;

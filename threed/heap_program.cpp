@@ -145,7 +145,7 @@ program::Task task_at(const ProgramOptions& options, double share) {
   // In the first and the last layer of nodes only the velocity along the stream is free.
   const double unknowns_per_node = 3 - 4. / (2 * along + 1);
   task.value = std::to_string(along) + "x" + task.value;
-  task.work += program::dense_work({along, section[0], section[1]}, unknowns_per_node, 12);
+  task.work += program::mixed_work({along, section[0], section[1]}, unknowns_per_node, 12);
   return task;
 }
 
@@ -158,9 +158,9 @@ void admit(const ProgramOptions& options) {
 Heap heap_of(const ProgramOptions& options) {
   Heap heap{options.section, *rheology::regularisation_named(options.method.regularisation),
             options.method.lambda_r};
-  heap.open_outlet = options.outflow == "open"           ? flow::Open::all
-                     : options.outflow == "open-viscous" ? flow::Open::viscous
-                                                         : flow::Open::no;
+  heap.open_outlet = options.outflow == "open"           ? mixed::Open::all
+                     : options.outflow == "open-viscous" ? mixed::Open::viscous
+                                                         : mixed::Open::no;
   return heap;
 }
 
@@ -175,7 +175,7 @@ HeapOptions heap_options(const ProgramOptions& options) {
   return all;
 }
 
-flow::ShearOptions section_options(const ProgramOptions& options) {
+shear::ShearOptions section_options(const ProgramOptions& options) {
   return options.is_space() ? section_options(heap_of(options), heap_options(options))
                             : program::shear_options(options.method, twod::default_options());
 }

@@ -36,7 +36,7 @@ void admit(const ProgramOptions& options);
 
 Heap heap_of(const ProgramOptions& options);
 HeapOptions heap_options(const ProgramOptions& options);
-flow::ShearOptions section_options(const ProgramOptions& options);
+shear::ShearOptions section_options(const ProgramOptions& options);
 /// In three dimensions the section is only wanted quickly.
 twod::Start section_start(const ProgramOptions& options);
 

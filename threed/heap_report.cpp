@@ -1,6 +1,6 @@
 #include "threed/heap_report.hpp"
 
-#include "common/flow/extrusion.hpp"
+#include "common/mixed/extrusion.hpp"
 #include "common/program/grid.hpp"
 #include "common/program/model_choice.hpp"
 #include "common/program/summary.hpp"
@@ -8,7 +8,7 @@
 
 namespace talus::threed {
 
-nlohmann::json summary(const HeapSolution& solution, const flow::CrossSection<2>& section_space) {
+nlohmann::json summary(const HeapSolution& solution, const shear::CrossSection<2>& section_space) {
   nlohmann::json all = twod::summary(solution.middle, section_space);
   if (solve::is_success(solution.middle.end)) {
     all["results"]["cross_flow"] = solution.cross_flow;
@@ -42,17 +42,17 @@ io::Grid<3> grid(const HeapSolution& solution) {
   grid.point_fields = {{"velocity", {state.begin(), state.begin() + space.velocity_count()}, 3}};
   io::Field rate{"shear_rate", {}}, inertial{"inertial_number", {}}, pressure{"pressure", {}},
       dynamic{"dynamic_pressure", {}}, stress{"stress", {}}, yield{"stress_over_yield_stress", {}};
-  const auto rule = flow::gauss_rule<3>(3);
+  const auto rule = fem::gauss_rule<3>(3);
   const rheology::FrictionLaw& law = heap.heap().section.law;
   for (std::size_t e = 0; e < space.element_count(); ++e) {
     double rates = 0, pressures = 0, dynamics = 0, stresses = 0;  // means over the points
     for (const auto& point : rule) {
-      const HeapPoint at = heap.point_at(solution.state, e, point.position);
+      const mixed::FlowPoint<3> at = heap.point_at(solution.state, e, point.position);
       const double share = 1 / static_cast<double>(rule.size());
-      rates += share * at.shear_rate;
-      pressures += share * at.total_pressure;
+      rates += share * at.law.shear_rate;
+      pressures += share * at.law.total_pressure;
       dynamics += share * at.values.pressure;
-      stresses += share * at.stress();
+      stresses += share * at.law.stress();
     }
     rate.values.push_back(rates);
     pressure.values.push_back(pressures);
@@ -65,7 +65,7 @@ io::Grid<3> grid(const HeapSolution& solution) {
   return grid;
 }
 
-io::Figure figure(const HeapSolution& solution, const flow::CrossSection<2>& section_space) {
+io::Figure figure(const HeapSolution& solution, const shear::CrossSection<2>& section_space) {
   io::Figure figure = twod::figure(solution.middle, section_space);
   figure.name = "heap";
   figure.caption = "heap in three dimensions, the section at half its length at Q* = " +
@@ -76,7 +76,7 @@ io::Figure figure(const HeapSolution& solution, const flow::CrossSection<2>& sec
 void add_comparison(nlohmann::json& summary, const HeapSolution& solution,
                     const twod::SectionSolution& section) {
   summary["results"]["departure_from_section"] =
-      flow::departure(solution.flow->space(), solution.state, section.velocity, 1).velocity;
+      mixed::departure(solution.flow->space(), solution.state, section.velocity, 1).velocity;
   summary["section_seconds"] = section.seconds;
 }
 

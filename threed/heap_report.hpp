@@ -15,13 +15,13 @@ const scene::Description& description();
 
 /// summary.json without the parameters: what the cross-section has, taken at half the length, then
 /// cross-flow, dynamic pressure, cost of every mesh, memory.
-nlohmann::json summary(const HeapSolution& solution, const flow::CrossSection<2>& section_space);
+nlohmann::json summary(const HeapSolution& solution, const shear::CrossSection<2>& section_space);
 
 /// Velocity at the nodes; shear rate, inertial number, pressures and stress in the elements.
 io::Grid<3> grid(const HeapSolution& solution);
 
 /// The figure of the section at half the length.
-io::Figure figure(const HeapSolution& solution, const flow::CrossSection<2>& section_space);
+io::Figure figure(const HeapSolution& solution, const shear::CrossSection<2>& section_space);
 
 /// One line a mesh: what was solved there, and what it took.
 std::string mesh_lines(const HeapSolution& solution);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "common/flow/extrusion.hpp"
+#include "common/mixed/extrusion.hpp"
 #include "common/solve/stopwatch.hpp"
 #include "twod/section_nested.hpp"
 
@@ -31,11 +31,11 @@ State interpolated(const HeapFlow& from, const State& state, const HeapFlow& to)
   return result;
 }
 
-flow::DenseFlow<3>::StressField stress_of(const HeapFlow& flow, const State& state) {
-  return [&](const flow::Point<3>& position) -> Eigen::Matrix3d {
-    const HeapPoint at = flow.point_at(state, position);
+mixed::MixedFlow<3>::StressField stress_of(const HeapFlow& flow, const State& state) {
+  return [&](const fem::Point<3>& position) -> Eigen::Matrix3d {
+    const mixed::FlowPoint<3> at = flow.point_at(state, position);
     const Eigen::Matrix3d& gradient = at.values.velocity_gradient;
-    return at.viscosity * (gradient + gradient.transpose());
+    return at.law.viscosity * (gradient + gradient.transpose());
   };
 }
 
@@ -87,11 +87,11 @@ twod::SectionSolution middle_of(const HeapFlow& heap, const State& state) {
   const double reference = along % 2 ? 0 : -1;
   for (auto e = static_cast<std::size_t>(along / 2); e < space.element_count();
        e += static_cast<std::size_t>(along))
-    for (const auto& point : flow::gauss_rule<2>(3)) {
-      const HeapPoint at =
+    for (const auto& point : fem::gauss_rule<2>(3)) {
+      const mixed::FlowPoint<3> at =
           heap.point_at(state, e, {reference, point.position[0], point.position[1]});
-      middle.shear_rate.push_back(at.shear_rate);
-      middle.stress.push_back(at.stress());
+      middle.shear_rate.push_back(at.law.shear_rate);
+      middle.stress.push_back(at.law.stress());
     }
   return middle;
 }
@@ -107,9 +107,9 @@ struct Stage {
 std::vector<Stage> stages(const Heap& heap, const HeapMesh& mesh, const HeapOptions& options) {
   std::vector<Stage> all{{heap, mesh, options.newton}};
   if (options.start != Start::nested) return all;
-  if (heap.open_outlet != flow::Open::no) {
+  if (heap.open_outlet != mixed::Open::no) {
     all.push_back(all.back());
-    all.back().heap.open_outlet = flow::Open::no;
+    all.back().heap.open_outlet = mixed::Open::no;
   }
   while (const auto coarse = coarsened(heap, all.back().mesh)) {
     Stage stage = all.back();
@@ -125,8 +125,8 @@ std::vector<Stage> stages(const Heap& heap, const HeapMesh& mesh, const HeapOpti
 
 }  // namespace
 
-flow::ShearOptions section_options(const Heap& heap, const HeapOptions& options) {
-  flow::ShearOptions section = twod::newton_options(heap.lambda_r);
+shear::ShearOptions section_options(const Heap& heap, const HeapOptions& options) {
+  shear::ShearOptions section = twod::newton_options(heap.lambda_r);
   section.regularisation = heap.regularisation;
   section.newton.tolerance = options.newton.tolerance;
   section.newton.distance = options.newton.distance;
@@ -144,7 +144,7 @@ HeapSolution solve(const Heap& heap, const HeapMesh& mesh, const HeapOptions& op
     auto flow = std::make_unique<HeapFlow>(stage.heap, stage.mesh);
     State state;
     if (options.start == Start::section) {
-      state = flow::extruded(flow->space(), section->velocity);
+      state = mixed::extruded(flow->space(), section->velocity);
       newton = {solve::newton(flow->flow(), state, options.newton), {}};
     } else {
       const bool has_coarser = !solution.meshes.empty() && is_success(solution.meshes.back().end);
@@ -161,8 +161,8 @@ HeapSolution solve(const Heap& heap, const HeapMesh& mesh, const HeapOptions& op
   solution.middle = middle_of(*solution.flow, solution.state);
   solution.middle.end = newton.newton.end;
   solution.middle.newton = std::move(newton);
-  const flow::Departure departure =
-      flow::departure(solution.flow->space(), solution.state, solution.middle.velocity, 1);
+  const mixed::Departure departure =
+      mixed::departure(solution.flow->space(), solution.state, solution.middle.velocity, 1);
   const double largest = solution.middle.velocity.value().lpNorm<Eigen::Infinity>();
   solution.cross_flow = departure.cross_flow * largest;
   solution.dynamic_pressure = departure.pressure;

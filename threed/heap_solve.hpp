@@ -48,6 +48,6 @@ HeapSolution solve(const Heap& heap, const HeapMesh& mesh, const HeapOptions& op
                    const twod::SectionSolution* section = nullptr);
 
 /// Options with which the cross-section is solved for the same discrete problem.
-flow::ShearOptions section_options(const Heap& heap, const HeapOptions& options);
+shear::ShearOptions section_options(const Heap& heap, const HeapOptions& options);
 
 }  // namespace talus::threed

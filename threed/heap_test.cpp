@@ -3,7 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "common/flow/extrusion.hpp"
+#include "common/mixed/extrusion.hpp"
 #include "threed/heap_report.hpp"
 
 using namespace talus;
@@ -25,7 +25,7 @@ twod::SectionSolution section_of(const Heap& heap, const HeapMesh& mesh) {
 
 // Largest difference of the velocities along the stream, relative to the largest.
 double apart(const HeapSolution& solution, const twod::SectionSolution& section) {
-  return flow::departure(solution.flow->space(), solution.state, section.velocity, 1).velocity;
+  return mixed::departure(solution.flow->space(), solution.state, section.velocity, 1).velocity;
 }
 
 constexpr HeapMesh small{1, {4, 6}};
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(a_section_at_another_angle_is_found_to_be_another_flow) {
 }
 
 BOOST_AUTO_TEST_CASE(the_extruded_section_needs_three_steps_at_most) {
-  for (const flow::Open outlet : {flow::Open::no, flow::Open::viscous, flow::Open::all}) {
+  for (const mixed::Open outlet : {mixed::Open::no, mixed::Open::viscous, mixed::Open::all}) {
     Heap heap = heap_at(0.41);
     heap.open_outlet = outlet;
     const auto section = section_of(heap, small);
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(nested_meshes_and_a_carried_stress_save_factorisations_of_t
 }
 
 BOOST_AUTO_TEST_CASE(an_open_outlet_is_reached_by_way_of_a_developed_one) {
-  for (const flow::Open outlet : {flow::Open::viscous, flow::Open::all}) {
+  for (const mixed::Open outlet : {mixed::Open::viscous, mixed::Open::all}) {
     Heap heap = heap_at(0.41);
     heap.open_outlet = outlet;
     const HeapSolution solution = threed::solve(heap, small);
@@ -139,12 +139,12 @@ BOOST_AUTO_TEST_CASE(positions_are_found_in_their_elements) {
   HeapFlow flow(heap, {2, {5, 6, 2, 3}});
   const auto& space = flow.space();
   auto state = space.start();
-  const auto field = [](const flow::Point<3>& x) { return x[0] * x[1] + x[2] * x[2]; };
+  const auto field = [](const fem::Point<3>& x) { return x[0] * x[1] + x[2] * x[2]; };
   for (std::size_t node = 0; node < space.mesh().nodes.size(); ++node)
     state.set(space.velocity_index(static_cast<Eigen::Index>(node), 1),
               field(space.mesh().nodes[node]));
   for (std::size_t e = 0; e < space.element_count(); ++e)
-    for (const auto& point : flow::gauss_rule<3>(2)) {
+    for (const auto& point : fem::gauss_rule<3>(2)) {
       const auto here = flow.point_at(state, e, point.position);
       const auto found = flow.point_at(state, here.values.position);
       BOOST_TEST(found.values.velocity[1] == field(here.values.position),

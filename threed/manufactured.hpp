@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "common/flow/manufactured.hpp"
-#include "common/flow/shear_flow.hpp"
+#include "common/mixed/manufactured.hpp"
+#include "common/shear/shear_flow.hpp"
 #include "common/solve/jacobian_check.hpp"
 
 namespace talus::threed {
@@ -17,7 +17,7 @@ namespace talus::threed {
 template <int Dim>
 struct MeshFamily {
   std::string name;
-  std::function<flow::Mesh<Dim>(int n)> mesh;
+  std::function<fem::Mesh<Dim>(int n)> mesh;
   std::string traction_boundary = "top";
 };
 
@@ -29,10 +29,10 @@ const std::vector<MeshFamily<Dim>>& mesh_families();
 /// A flow and what it is to solve.
 template <int Dim>
 struct ManufacturedCase {
-  flow::ManufacturedFlow<Dim> exact;
+  mixed::ManufacturedFlow<Dim> exact;
   rheology::Regularisation regularisation;
   double inertia = 0;
-  flow::PressureBasis pressure_basis = flow::PressureBasis::physical;
+  mixed::PressureBasis pressure_basis = mixed::PressureBasis::physical;
   rheology::FrictionLaw law = {};
 
   rheology::Rheology rheology() const { return {law, regularisation, exact.lambda_r}; }
@@ -40,19 +40,19 @@ struct ManufacturedCase {
 
 /// The case must outlive them.
 template <int Dim>
-flow::BoundaryConditions<Dim> exact_conditions(const ManufacturedCase<Dim>& manufactured,
-                                               const flow::Mesh<Dim>& mesh,
-                                               const std::string& traction_boundary);
+mixed::BoundaryConditions<Dim> exact_conditions(const ManufacturedCase<Dim>& manufactured,
+                                                const fem::Mesh<Dim>& mesh,
+                                                const std::string& traction_boundary);
 
 struct ManufacturedOptions {
   solve::NewtonOptions newton{.line_search = solve::LineSearch::residual_norm};
-  flow::PenaltyOptions penalty = {};
-  flow::TangentTerm tangent = flow::TangentTerm::full;
+  mixed::PenaltyOptions penalty = {};
+  shear::TangentTerm tangent = shear::TangentTerm::full;
 };
 
 struct ManufacturedSolution {
   solve::NewtonSummary newton;
-  flow::FlowErrors errors;  ///< NaN if the solve failed
+  mixed::FlowErrors errors;  ///< NaN if the solve failed
   int factorisations = 0;
   Eigen::Index unknowns = 0, condensed = 0;
   double factor_entries = 0;
@@ -66,7 +66,7 @@ ManufacturedSolution solve_manufactured(const ManufacturedCase<Dim>& manufacture
                                         const ManufacturedOptions& options = {});
 
 /// Checks the tangent on a mesh, about the pressure in the middle of the flow; see
-/// flow::check_jacobian.
+/// mixed::check_jacobian.
 template <int Dim>
 std::vector<solve::NamedCheck> check_manufactured(const ManufacturedCase<Dim>& manufactured,
                                                   const MeshFamily<Dim>& family, int n,

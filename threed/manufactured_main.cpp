@@ -44,9 +44,9 @@ std::vector<std::string> names_of(const std::vector<Named>& all) {
 
 template <int Dim>
 threed::ManufacturedCase<Dim> case_of(const Options& options) {
-  const auto& flows = flow::manufactured_flows<Dim>();
+  const auto& flows = mixed::manufactured_flows<Dim>();
   threed::ManufacturedCase<Dim> manufactured{
-      *std::ranges::find(flows, options.flow, &flow::ManufacturedFlow<Dim>::name),
+      *std::ranges::find(flows, options.flow, &mixed::ManufacturedFlow<Dim>::name),
       *rheology::regularisation_named(options.regularisation), options.no_inertia ? 0. : 1.};
   if (options.lambda_r > 0) manufactured.exact.lambda_r = options.lambda_r;
   manufactured.law = program::friction_law(options.friction);
@@ -76,7 +76,7 @@ threed::ManufacturedOptions solve_options(const Options& options) {
 program::Task task_at(const Options& options, double share) {
   const int n = std::max(1, static_cast<int>(share * options.elements));
   const bool is_plane = options.model == "plane";
-  return {std::to_string(n), program::dense_work({n, n, is_plane ? 0 : n}, is_plane ? 2 : 3, 10)};
+  return {std::to_string(n), program::mixed_work({n, n, is_plane ? 0 : n}, is_plane ? 2 : 3, 10)};
 }
 
 template <int Dim>
@@ -96,14 +96,14 @@ nlohmann::json parameters(const Options& options,
   return all;
 }
 
-nlohmann::json results_of(const flow::FlowErrors& errors) {
+nlohmann::json results_of(const mixed::FlowErrors& errors) {
   return {{"error_velocity_l2", errors.velocity},
           {"error_velocity_h1", errors.gradient},
           {"error_pressure_l2", errors.pressure},
           {"divergence", errors.divergence}};
 }
 
-void print(const flow::ShearSolution& record, const flow::FlowErrors& errors) {
+void print(const shear::ShearSolution& record, const mixed::FlowErrors& errors) {
   std::cout << program::outcome_line(record) << '\n';
   if (!solve::is_success(record.end)) return;
   std::cout << "errors in L2: velocity " << io::rounded(errors.velocity, 4) << ", its gradient "
@@ -130,7 +130,7 @@ int run(const Options& options, scene::Case& a_case) {
   // 2. The nonlinear solve, from the exact flow.
   const auto solution = a_case.timed(
       [&] { return threed::solve_manufactured(manufactured, family, options.elements, method); });
-  flow::ShearSolution record;
+  shear::ShearSolution record;
   record.newton = {solution.newton, {}, manufactured.exact.lambda_r};
   record.end = solution.newton.end;
   record.seconds = solution.seconds;
@@ -183,7 +183,7 @@ const scene::Description& description() {
 void add_options(CLI::App& app, Options& o) {
   io::add_choice(app, "--model", o.model, "In the plane or in space", {"plane", "space"});
   io::add_choice(app, "--flow", o.flow, "Sheared everywhere, or turning with little shear inside",
-                 names_of(flow::manufactured_flows<2>()));
+                 names_of(mixed::manufactured_flows<2>()));
   io::add_choice(app, "--mesh", o.mesh,
                  "Square or cube of uniform, stretched or distorted elements, or in the plane a "
                  "sector of an annulus",

@@ -10,42 +10,42 @@ namespace talus::threed {
 namespace {
 
 template <int Dim>
-flow::BoundaryConditions<Dim> conditions_of(const oned::ShearScene& scene) {
+mixed::BoundaryConditions<Dim> conditions_of(const oned::ShearScene& scene) {
   const std::string start = Dim == 2 ? "bottom" : "back", end = Dim == 2 ? "top" : "front";
-  flow::BoundaryConditions<Dim> conditions = {{"left", flow::fully_developed<Dim>(0)},
-                                              {"right", flow::fully_developed<Dim>(0)},
-                                              {start, {}},
-                                              {end, {}}};
-  conditions[scene.wall_at_start ? start : end] = flow::no_slip<Dim>();
+  mixed::BoundaryConditions<Dim> conditions = {{"left", mixed::fully_developed<Dim>(0)},
+                                               {"right", mixed::fully_developed<Dim>(0)},
+                                               {start, {}},
+                                               {end, {}}};
+  conditions[scene.wall_at_start ? start : end] = mixed::no_slip<Dim>();
   if constexpr (Dim == 3)
-    for (const auto* side : {"bottom", "top"}) conditions[side] = flow::symmetry<Dim>(1);
+    for (const auto* side : {"bottom", "top"}) conditions[side] = mixed::symmetry<Dim>(1);
   return conditions;
 }
 
 }  // namespace
 
 template <int Dim>
-flow::DenseSpace<Dim> space_of(const oned::ShearScene& scene, std::span<const double> across,
-                               const Thickness& thickness) {
+mixed::MixedSpace<Dim> space_of(const oned::ShearScene& scene, std::span<const double> across,
+                                const Thickness& thickness) {
   const double element = scene.length / static_cast<double>(across.size() - 1);
   const auto stream = fem::graded_line(0, thickness.along * element, thickness.along, 1);
   const auto between = fem::graded_line(0, thickness.between * element, thickness.between, 1);
   if constexpr (Dim == 2)
-    return {flow::tensor_mesh<2>({stream, across}), conditions_of<2>(scene)};
+    return {fem::tensor_mesh<2>({stream, across}), conditions_of<2>(scene)};
   else
-    return {flow::tensor_mesh<3>({stream, between, across}), conditions_of<3>(scene)};
+    return {fem::tensor_mesh<3>({stream, between, across}), conditions_of<3>(scene)};
 }
 
 template <int Dim>
-flow::DenseLoad<Dim> load_of(const oned::ShearScene& scene) {
-  using flow::Point;
+mixed::MixedLoad<Dim> load_of(const oned::ShearScene& scene) {
+  using fem::Point;
   return {
       [&scene](const Point<Dim>& x) { return scene.pressure(x[Dim - 1]); },
       [&scene](const Point<Dim>&) -> Point<Dim> { return scene.body_force * Point<Dim>::Unit(0); }};
 }
 
 template <int Dim>
-solve::CompensatedVector line_across(const flow::DenseSpace<Dim>& space,
+solve::CompensatedVector line_across(const mixed::MixedSpace<Dim>& space,
                                      const solve::CompensatedVector& state, Eigen::Index nodes) {
   const auto stride = static_cast<Eigen::Index>(space.mesh().nodes.size()) / nodes;
   Eigen::VectorXd value(nodes), correction(nodes);
@@ -58,7 +58,7 @@ solve::CompensatedVector line_across(const flow::DenseSpace<Dim>& space,
 }
 
 template <int Dim>
-double largest_pressure(const oned::ShearScene& scene, const flow::DenseSpace<Dim>& space) {
+double largest_pressure(const oned::ShearScene& scene, const mixed::MixedSpace<Dim>& space) {
   double largest = 0;
   for (const auto& position : space.mesh().nodes)
     largest = std::max(largest, scene.pressure(position[Dim - 1]));
@@ -66,22 +66,22 @@ double largest_pressure(const oned::ShearScene& scene, const flow::DenseSpace<Di
 }
 
 template <int Dim>
-flow::Departure departure(const oned::ShearScene& scene, const flow::DenseSpace<Dim>& space,
-                          const solve::CompensatedVector& state,
-                          const solve::CompensatedVector& velocity) {
-  return flow::departure(space, state, velocity, largest_pressure(scene, space));
+mixed::Departure departure(const oned::ShearScene& scene, const mixed::MixedSpace<Dim>& space,
+                           const solve::CompensatedVector& state,
+                           const solve::CompensatedVector& velocity) {
+  return mixed::departure(space, state, velocity, largest_pressure(scene, space));
 }
 
 #define TALUS_FOR(Dim)                                                                          \
-  template flow::DenseSpace<Dim> space_of(const oned::ShearScene&, std::span<const double>,     \
-                                          const Thickness&);                                    \
-  template flow::DenseLoad<Dim> load_of(const oned::ShearScene&);                               \
-  template double largest_pressure(const oned::ShearScene&, const flow::DenseSpace<Dim>&);      \
-  template solve::CompensatedVector line_across(const flow::DenseSpace<Dim>&,                   \
+  template mixed::MixedSpace<Dim> space_of(const oned::ShearScene&, std::span<const double>,    \
+                                           const Thickness&);                                   \
+  template mixed::MixedLoad<Dim> load_of(const oned::ShearScene&);                              \
+  template double largest_pressure(const oned::ShearScene&, const mixed::MixedSpace<Dim>&);     \
+  template solve::CompensatedVector line_across(const mixed::MixedSpace<Dim>&,                  \
                                                 const solve::CompensatedVector&, Eigen::Index); \
-  template flow::Departure departure(const oned::ShearScene&, const flow::DenseSpace<Dim>&,     \
-                                     const solve::CompensatedVector&,                           \
-                                     const solve::CompensatedVector&);
+  template mixed::Departure departure(const oned::ShearScene&, const mixed::MixedSpace<Dim>&,   \
+                                      const solve::CompensatedVector&,                          \
+                                      const solve::CompensatedVector&);
 TALUS_FOR(2)
 TALUS_FOR(3)
 #undef TALUS_FOR

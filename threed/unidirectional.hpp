@@ -6,8 +6,8 @@
 
 #include <span>
 
-#include "common/flow/dense_flow.hpp"
-#include "common/flow/extrusion.hpp"
+#include "common/mixed/extrusion.hpp"
+#include "common/mixed/mixed_flow.hpp"
 #include "oned/shear_scene.hpp"
 
 namespace talus::threed {
@@ -24,26 +24,26 @@ inline constexpr Thickness thinnest{.along = Dim == 2 ? 2 : 1};
 /// Flow enters and leaves fully developed; no slip at the scene's wall. The end without stress is
 /// free, which for the middle of the chute is the same as symmetry: there is no dynamic pressure.
 template <int Dim>
-flow::DenseSpace<Dim> space_of(const oned::ShearScene& scene, std::span<const double> across,
-                               const Thickness& thickness = thinnest<Dim>);
+mixed::MixedSpace<Dim> space_of(const oned::ShearScene& scene, std::span<const double> across,
+                                const Thickness& thickness = thinnest<Dim>);
 /// Static pressure and driving force of a scene, which must outlive the load.
 template <int Dim>
-flow::DenseLoad<Dim> load_of(const oned::ShearScene& scene);
+mixed::MixedLoad<Dim> load_of(const oned::ShearScene& scene);
 
 /// Static, at the nodes.
 template <int Dim>
-double largest_pressure(const oned::ShearScene& scene, const flow::DenseSpace<Dim>& space);
+double largest_pressure(const oned::ShearScene& scene, const mixed::MixedSpace<Dim>& space);
 
 /// The velocities along the stream of one line across, where the flow enters.
 template <int Dim>
-solve::CompensatedVector line_across(const flow::DenseSpace<Dim>& space,
+solve::CompensatedVector line_across(const mixed::MixedSpace<Dim>& space,
                                      const solve::CompensatedVector& state, Eigen::Index nodes);
 
 /// How far a state is from the unidirectional one with these velocities (nodes across); pressure
 /// relative to the largest static one.
 template <int Dim>
-flow::Departure departure(const oned::ShearScene& scene, const flow::DenseSpace<Dim>& space,
-                          const solve::CompensatedVector& state,
-                          const solve::CompensatedVector& velocity);
+mixed::Departure departure(const oned::ShearScene& scene, const mixed::MixedSpace<Dim>& space,
+                           const solve::CompensatedVector& state,
+                           const solve::CompensatedVector& velocity);
 
 }  // namespace talus::threed

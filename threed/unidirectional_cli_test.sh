@@ -151,6 +151,8 @@ check succeeds bagnold "$bagnold" --angle 23deg --elements 08
 check expect_text run/results/bagnold/summary.json '"angle": 0.40142572795869' '"elements": 8,'
 check_fails expect_text run/results/bagnold/summary.json '"angle": 0.4,'
 
+# A velocity among the smallest doubles is drawn like any other.
+check succeeds chute "$chute" --elements 10 --plot --regularisation barker-gray --friction 1.0922,3.7419,2.88287
 # 5. A folder holds one run and nothing older.
 pictures="profile.dat profile.gp profile.png profile.svg"
 run "$chute" --elements 5 --plot

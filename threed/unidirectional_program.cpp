@@ -50,9 +50,9 @@ program::Task task_at(const UnidirectionalProgram& options, double share) {
   constexpr int factorisations = 20;
   // Where the flow enters and leaves only its velocity along the stream is free.
   if (options.model == "plane")
-    task.work = program::dense_work({thinnest<2>.along, across, 0}, 1.6, factorisations);
+    task.work = program::mixed_work({thinnest<2>.along, across, 0}, 1.6, factorisations);
   if (options.model == "space")
-    task.work = program::dense_work({thinnest<3>.along, thinnest<3>.between, across}, 5. / 3,
+    task.work = program::mixed_work({thinnest<3>.along, thinnest<3>.between, across}, 5. / 3,
                                     factorisations);
   return task;
 }
@@ -86,9 +86,9 @@ Found solve(const std::string& model, const ShearScene& scene, std::span<const d
   return found;
 }
 
-std::vector<flow::NamedCheck> check_jacobian(const std::string& model, const ShearScene& scene,
-                                             std::span<const double> across,
-                                             const UnidirectionalOptions& options) {
+std::vector<solve::NamedCheck> check_jacobian(const std::string& model, const ShearScene& scene,
+                                              std::span<const double> across,
+                                              const UnidirectionalOptions& options) {
   return model == "plane"   ? check_unidirectional<2>(scene, across, options)
          : model == "space" ? check_unidirectional<3>(scene, across, options)
                             : oned::check_jacobian(scene, across, options);

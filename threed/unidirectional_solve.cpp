@@ -1,33 +1,33 @@
 #include "threed/unidirectional_solve.hpp"
 
-#include "common/flow/dense_jacobian.hpp"
-#include "common/flow/dense_tangent.hpp"
+#include "common/mixed/mixed_jacobian.hpp"
+#include "common/mixed/mixed_tangent.hpp"
 #include "common/solve/stopwatch.hpp"
 
 namespace talus::threed {
 namespace {
 
 template <int Dim>
-flow::DenseFlow<Dim> problem_of(const oned::ShearScene& scene, const flow::DenseSpace<Dim>& space,
-                                const UnidirectionalOptions& options) {
-  flow::DenseFlow<Dim> problem(space, {scene.law(), options.regularisation, options.lambda_r},
-                               load_of<Dim>(scene), options.penalty);
-  flow::set_tangent(problem, options.tangent_term);
+mixed::MixedFlow<Dim> problem_of(const oned::ShearScene& scene, const mixed::MixedSpace<Dim>& space,
+                                 const UnidirectionalOptions& options) {
+  mixed::MixedFlow<Dim> problem(space, {scene.law(), options.regularisation, options.lambda_r},
+                                load_of<Dim>(scene), options.penalty);
+  mixed::set_tangent(problem, options.tangent_term);
   return problem;
 }
 
 template <int Dim>
-solve::ContinuationSummary solve_from_rest(flow::DenseFlow<Dim>& problem,
+solve::ContinuationSummary solve_from_rest(mixed::MixedFlow<Dim>& problem,
                                            solve::CompensatedVector& state,
                                            const UnidirectionalOptions& options) {
   solve::NewtonOptions newton = options.newton;
   newton.line_search = solve::LineSearch::none;
   const solve::CompensatedVector rest = state;
   solve::ContinuationSummary direct{solve::newton(problem, state, newton), {}, options.lambda_r};
-  if (solve::is_success(direct.newton.end) || options.continuation == flow::Continuation::never)
+  if (solve::is_success(direct.newton.end) || options.continuation == shear::Continuation::never)
     return direct;
   state = rest;
-  flow::set_tangent(problem, options.tangent_term);
+  mixed::set_tangent(problem, options.tangent_term);
   newton.line_search = solve::LineSearch::residual_norm;
   auto summary = solve::newton_along_path(problem, state, newton, options.path);
   summary.path.insert(summary.path.begin(),
@@ -43,14 +43,14 @@ void add_line(const oned::ShearScene& scene, const rheology::Rheology& rheology,
   oned::Solution& line = solution.line;
   line.velocity = line_across(space, solution.state, line.space.node_count());
   const std::size_t in_a_row = space.element_count() / line.space.element_count();
-  flow::Point<Dim> reference = -flow::Point<Dim>::Ones();
+  fem::Point<Dim> reference = -fem::Point<Dim>::Ones();
   for (std::size_t e = 0; e < space.element_count(); e += in_a_row)
-    for (const auto& point : flow::gauss_rule<1>(3)) {
+    for (const auto& point : fem::gauss_rule<1>(3)) {
       reference[Dim - 1] = point.position[0];
       const auto at = space.values_at(solution.state, e, reference);
       const double pressure = scene.pressure(at.position[Dim - 1]) + at.pressure;
       line.shear_rate.push_back(at.shear_rate());
-      line.stress.push_back(rheology.evaluate(at.shear_rate(), pressure).eta * at.shear_rate());
+      line.stress.push_back(rheology.local_state(at.shear_rate(), pressure).stress());
     }
 }
 
@@ -62,7 +62,7 @@ UnidirectionalSolution<Dim> solve_unidirectional(const oned::ShearScene& scene,
                                                  const UnidirectionalOptions& options) {
   const solve::Stopwatch watch;
   UnidirectionalSolution<Dim> solution{
-      .space = std::make_unique<flow::DenseSpace<Dim>>(space_of<Dim>(scene, across)),
+      .space = std::make_unique<mixed::MixedSpace<Dim>>(space_of<Dim>(scene, across)),
       .state = {},
       .line = {{}, oned::space_of(scene, across)}};
   auto problem = problem_of(scene, *solution.space, options);
@@ -77,7 +77,7 @@ UnidirectionalSolution<Dim> solve_unidirectional(const oned::ShearScene& scene,
 
   add_line(scene, problem.rheology(), solution);
   const auto departure =
-      flow::departure(*solution.space, solution.state, solution.line.velocity, 1);
+      mixed::departure(*solution.space, solution.state, solution.line.velocity, 1);
   const Eigen::VectorXd& velocity = solution.line.velocity.value();
   solution.cross_flow = departure.cross_flow * velocity.lpNorm<Eigen::Infinity>();
   solution.dynamic_pressure = departure.pressure;
@@ -86,17 +86,17 @@ UnidirectionalSolution<Dim> solve_unidirectional(const oned::ShearScene& scene,
 }
 
 template <int Dim>
-std::vector<flow::NamedCheck> check_unidirectional(const oned::ShearScene& scene,
-                                                   std::span<const double> across,
-                                                   const UnidirectionalOptions& options) {
+std::vector<solve::NamedCheck> check_unidirectional(const oned::ShearScene& scene,
+                                                    std::span<const double> across,
+                                                    const UnidirectionalOptions& options) {
   const auto space = space_of<Dim>(scene, across);
-  return flow::check_jacobian(problem_of(scene, space, options), largest_pressure(scene, space));
+  return mixed::check_jacobian(problem_of(scene, space, options), largest_pressure(scene, space));
 }
 
 #define TALUS_FOR(Dim)                                                                 \
   template UnidirectionalSolution<Dim> solve_unidirectional(                           \
       const oned::ShearScene&, std::span<const double>, const UnidirectionalOptions&); \
-  template std::vector<flow::NamedCheck> check_unidirectional<Dim>(                    \
+  template std::vector<solve::NamedCheck> check_unidirectional<Dim>(                   \
       const oned::ShearScene&, std::span<const double>, const UnidirectionalOptions&);
 TALUS_FOR(2)
 TALUS_FOR(3)

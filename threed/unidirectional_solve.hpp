@@ -12,12 +12,12 @@ namespace talus::threed {
 /// along, and a search along the norm of the residual gives up in plugs where full steps arrive. If
 /// they fail, by continuation in λr, searching.
 struct UnidirectionalOptions : oned::SolveOptions {
-  flow::PenaltyOptions penalty = {};
+  mixed::PenaltyOptions penalty = {};
 };
 
 template <int Dim>
 struct UnidirectionalSolution {
-  std::unique_ptr<flow::DenseSpace<Dim>> space;
+  std::unique_ptr<mixed::MixedSpace<Dim>> space;
   solve::CompensatedVector state;
   /// The line across where the flow enters, as a solution of the one-dimensional model, with its
   /// quadrature points; the end, Newton's record and the CPU time with it.
@@ -37,10 +37,10 @@ UnidirectionalSolution<Dim> solve_unidirectional(const oned::ShearScene& scene,
                                                  std::span<const double> across,
                                                  const UnidirectionalOptions& options);
 
-/// Checks the tangent of a scene on this mesh; see flow::check_jacobian.
+/// Checks the tangent of a scene on this mesh; see mixed::check_jacobian.
 template <int Dim>
-std::vector<flow::NamedCheck> check_unidirectional(const oned::ShearScene& scene,
-                                                   std::span<const double> across,
-                                                   const UnidirectionalOptions& options);
+std::vector<solve::NamedCheck> check_unidirectional(const oned::ShearScene& scene,
+                                                    std::span<const double> across,
+                                                    const UnidirectionalOptions& options);
 
 }  // namespace talus::threed

@@ -12,7 +12,7 @@ namespace {
 
 struct Solved {
   oned::Solution line;
-  flow::Departure departure;
+  mixed::Departure departure;
   Eigen::Index unknowns = 0;
 };
 
@@ -29,8 +29,8 @@ Solved solved(const oned::ShearScene& scene, const threed::Thickness& thickness,
   oned::ShearScene pushed = scene;
   pushed.body_force *= push;
   const auto space = threed::space_of<Dim>(scene, across, thickness);
-  flow::DenseFlow<Dim> problem(space, {scene.law(), rheology::ChauchatMedale{}, 1e-4},
-                               threed::load_of<Dim>(pushed));
+  mixed::MixedFlow<Dim> problem(space, {scene.law(), rheology::ChauchatMedale{}, 1e-4},
+                                threed::load_of<Dim>(pushed));
   auto state = space.start();
   const auto richer = solve::newton_with_continuation(
       problem, state, {.tolerance = 1e-14, .line_search = solve::LineSearch::residual_norm});
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(a_line_across_is_what_was_extruded) {
   Eigen::VectorXd value(7);
   value << 1, 2, 3, 4, 5, 6, 7;
   const solve::CompensatedVector velocity(value);
-  const auto state = flow::extruded(space, velocity);
+  const auto state = mixed::extruded(space, velocity);
   BOOST_TEST(threed::line_across(space, state, 7).value() == value,
              boost::test_tools::per_element());
   BOOST_TEST(threed::departure(scene, space, state, velocity).velocity == 0);
@@ -107,14 +107,14 @@ BOOST_AUTO_TEST_CASE(a_line_across_is_what_was_extruded) {
 
 BOOST_AUTO_TEST_CASE(rates_and_stresses_of_a_richer_model_are_those_of_the_line) {
   for (const auto& scene : oned::scenes())
-    for (const auto tangent : {flow::TangentTerm::full, flow::TangentTerm::primal_dual})
+    for (const auto tangent : {shear::TangentTerm::full, shear::TangentTerm::primal_dual})
       BOOST_TEST_CONTEXT(scene.name) {
         threed::UnidirectionalOptions options;
         options.lambda_r = 1e-4;
         options.tangent_term = tangent;
         check_measures<2>(scene, options);
         check_measures<3>(scene, options);
-        options.penalty = {flow::Penalty::plain, 1e-6};
+        options.penalty = {mixed::Penalty::plain, 1e-6};
         check_measures<2>(scene, options);
       }
 }
@@ -124,15 +124,15 @@ BOOST_AUTO_TEST_CASE(without_continuation_a_tangent_that_is_broken_leads_nowhere
   const auto across = oned::boundaries(scene, {.elements = 4});
   threed::UnidirectionalOptions options;
   options.lambda_r = 1e-4;
-  options.continuation = flow::Continuation::never;
+  options.continuation = shear::Continuation::never;
   BOOST_TEST(solve::is_success(threed::solve_unidirectional<2>(scene, across, options).line.end));
-  options.tangent_term = flow::TangentTerm::wrong_sign;
+  options.tangent_term = shear::TangentTerm::wrong_sign;
   const auto broken = threed::solve_unidirectional<2>(scene, across, options);
   BOOST_TEST(!solve::is_success(broken.line.end));
   BOOST_TEST(broken.line.newton.path.empty());
   const auto checks = threed::check_unidirectional<2>(scene, across, options);
   BOOST_CHECK(checks.back().check.verdict() == solve::Verdict::wrong);
-  options.tangent_term = flow::TangentTerm::full;
+  options.tangent_term = shear::TangentTerm::full;
   for (const auto& named : threed::check_unidirectional<3>(scene, across, options))
     BOOST_TEST(named.check.passed(), named.state);
 }

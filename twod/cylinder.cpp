@@ -2,27 +2,28 @@
 
 #include <Eigen/Cholesky>
 
-#include "common/flow/reaction.hpp"
+#include "common/mixed/reaction.hpp"
 
 namespace talus::twod {
 namespace {
 
 using State = CylinderFlow::State;
 
-flow::BoundaryConditions<2> boundary_conditions(const Cylinder& scene) {
-  flow::BoundaryConditions<2> conditions = {
-      {"cylinder", flow::no_slip<2>()},
-      {"wall", flow::no_slip<2>()},
-      {"top", flow::fully_developed<2>(1)},
-      {"bottom", scene.open_outlet == flow::Open::no ? flow::fully_developed<2>(1)
-                                                     : flow::open_boundary<2>(scene.open_outlet)}};
-  if (!scene.mesh.full) conditions["symmetry"] = flow::symmetry<2>(0);
+mixed::BoundaryConditions<2> boundary_conditions(const Cylinder& scene) {
+  mixed::BoundaryConditions<2> conditions = {
+      {"cylinder", mixed::no_slip<2>()},
+      {"wall", mixed::no_slip<2>()},
+      {"top", mixed::fully_developed<2>(1)},
+      {"bottom", scene.open_outlet == mixed::Open::no
+                     ? mixed::fully_developed<2>(1)
+                     : mixed::open_boundary<2>(scene.open_outlet)}};
+  if (!scene.mesh.full) conditions["symmetry"] = mixed::symmetry<2>(0);
   return conditions;
 }
 
-flow::DenseLoad<2> load_of(const Cylinder& scene) {
-  return {[](const flow::Point<2>&) { return 1.0; },
-          [](const flow::Point<2>&) { return flow::Point<2>(0, -1); }, scene.inertia ? 1.0 : 0.0};
+mixed::MixedLoad<2> load_of(const Cylinder& scene) {
+  return {[](const fem::Point<2>&) { return 1.0; },
+          [](const fem::Point<2>&) { return fem::Point<2>(0, -1); }, scene.inertia ? 1.0 : 0.0};
 }
 
 rheology::Rheology rheology_of(const Cylinder& scene) {
@@ -34,19 +35,19 @@ rheology::Rheology rheology_of(const Cylinder& scene) {
 
 // Vertical force of the constraint on the nodes of a boundary.
 double reaction(const CylinderFlow& cylinder, const std::string& boundary) {
-  return flow::total_reaction(cylinder.flow(), boundary, 1);
+  return mixed::total_reaction(cylinder.flow(), boundary, 1);
 }
 
 double traction_integral(const CylinderFlow& cylinder, const State& state) {
   double sum = 0;
   const auto& mesh = cylinder.space().mesh();
-  for (const flow::Face& face : mesh.boundaries.at("cylinder"))
-    for (const auto& point : flow::face_rule(mesh, face)) {
-      const CylinderPoint at = point_at(cylinder, state, face.element, point.reference);
+  for (const fem::Face& face : mesh.boundaries.at("cylinder"))
+    for (const auto& point : fem::face_rule(mesh, face)) {
+      const mixed::FlowPoint<2> at = cylinder.flow().point_at(state, face.element, point.reference);
       const Eigen::Matrix2d gamma =
           at.values.velocity_gradient + at.values.velocity_gradient.transpose();
-      const flow::Point<2> traction =
-          at.viscosity * gamma * point.normal - at.values.pressure * point.normal;
+      const fem::Point<2> traction =
+          at.law.viscosity * gamma * point.normal - at.values.pressure * point.normal;
       sum += point.weight * traction[1];
     }
   return sum;
@@ -55,8 +56,8 @@ double traction_integral(const CylinderFlow& cylinder, const State& state) {
 double inflow(const CylinderFlow& cylinder, const State& state) {
   double flux = 0;
   const auto& mesh = cylinder.space().mesh();
-  for (const flow::Face& face : mesh.boundaries.at("top"))
-    for (const auto& point : flow::face_rule(mesh, face))
+  for (const fem::Face& face : mesh.boundaries.at("top"))
+    for (const auto& point : fem::face_rule(mesh, face))
       flux -= point.weight *
               cylinder.space().values_at(state, face.element, point.reference).velocity[1];
   return flux;
@@ -68,22 +69,6 @@ CylinderFlow::CylinderFlow(const Cylinder& scene)
     : scene_(scene),
       space_(cylinder_mesh(scene.mesh), boundary_conditions(scene)),
       flow_(space_, rheology_of(scene), load_of(scene), scene.penalty) {}
-
-CylinderPoint point_at(const CylinderFlow& cylinder, const State& state, std::size_t element,
-                       const flow::Point<2>& reference) {
-  const rheology::Rheology& rheology = cylinder.flow().rheology();
-  CylinderPoint point{cylinder.space().values_at(state, element, reference)};
-  point.total_pressure = 1 + point.values.pressure;
-  point.regularised_pressure = rheology.regularised_pressure(point.total_pressure).value;
-  point.shear_rate = point.values.shear_rate();
-  point.viscosity = rheology.evaluate(point.shear_rate, point.total_pressure).eta;
-  point.inertial_number =
-      rheology.law.inertial_number(point.shear_rate, point.regularised_pressure);
-  point.well_posedness = rheology.well_posedness(point.inertial_number);
-  point.has_yielded =
-      point.viscosity * point.shear_rate > rheology.law.mu_s * point.regularised_pressure;
-  return point;
-}
 
 CylinderMeasures measure(CylinderFlow& cylinder, const State& state) {
   const auto& space = cylinder.space();
@@ -103,16 +88,16 @@ CylinderMeasures measure(CylinderFlow& cylinder, const State& state) {
   double yielded = 0, ill_posed = 0, negative = 0;
   m.min_pressure = std::numeric_limits<double>::infinity();
   m.max_pressure = -m.min_pressure;
-  const auto rule = flow::gauss_rule<2>(3);
+  const auto rule = fem::gauss_rule<2>(3);
   double projected = 0;
-  using Projection = flow::DenseSpace<2>::PressureValues;
+  using Projection = mixed::MixedSpace<2>::PressureValues;
   for (std::size_t e = 0; e < space.element_count(); ++e) {
     Projection moments = Projection::Zero();  // of div u with the pressures of the element
     Eigen::Matrix3d mass = Eigen::Matrix3d::Zero();
     for (const auto& point : rule) {
-      const CylinderPoint at = point_at(cylinder, state, e, point.position);
+      const mixed::FlowPoint<2> at = cylinder.flow().point_at(state, e, point.position);
       const double weight =
-          point.weight * flow::ElementPoint<2>(mesh, e, point.position).determinant;
+          point.weight * fem::ElementPoint<2>(mesh, e, point.position).determinant;
       const Projection psi = space.pressure_basis(e, point.position, at.values.position);
       moments += weight * at.values.divergence() * psi;
       mass += weight * psi * psi.transpose();
@@ -120,11 +105,11 @@ CylinderMeasures measure(CylinderFlow& cylinder, const State& state) {
       divergence += weight * std::pow(at.values.divergence(), 2);
       gradient += weight * at.values.velocity_gradient.squaredNorm();
       momentum += weight * at.values.velocity_gradient.row(1).dot(at.values.velocity);
-      if (at.has_yielded) yielded += weight;
-      if (at.has_yielded && at.well_posedness > 0) ill_posed += weight;
-      if (at.total_pressure < 0) negative += weight;
-      m.min_pressure = std::min(m.min_pressure, at.total_pressure);
-      m.max_pressure = std::max(m.max_pressure, at.total_pressure);
+      if (at.law.has_yielded) yielded += weight;
+      if (at.law.has_yielded && at.law.well_posedness > 0) ill_posed += weight;
+      if (at.law.total_pressure < 0) negative += weight;
+      m.min_pressure = std::min(m.min_pressure, at.law.total_pressure);
+      m.max_pressure = std::max(m.max_pressure, at.law.total_pressure);
     }
     projected += moments.dot(mass.llt().solve(moments));
   }

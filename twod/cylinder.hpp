@@ -8,8 +8,8 @@
 #include <functional>
 #include <string>
 
-#include "common/flow/creep.hpp"
-#include "common/flow/dense_path.hpp"
+#include "common/mixed/creep.hpp"
+#include "common/mixed/mixed_path.hpp"
 #include "common/solve/arclength.hpp"
 #include "twod/cylinder_mesh.hpp"
 
@@ -22,9 +22,9 @@ struct Cylinder {
   double lambda_r = 1e-6;
   double pressure_floor = 0;         ///< of eq. (16), in p_ext, if larger than λr
   bool regularises_pressure = true;  ///< eq. (16); else p_regu = max(p, 0)
-  flow::PenaltyOptions penalty;
+  mixed::PenaltyOptions penalty;
   bool inertia = true;
-  flow::Open open_outlet = flow::Open::no;  ///< the paper's open boundary below, eq. (8)
+  mixed::Open open_outlet = mixed::Open::no;  ///< the paper's open boundary below, eq. (8)
 };
 
 /// The discrete problem of a scene.
@@ -36,14 +36,14 @@ class CylinderFlow {
   CylinderFlow& operator=(const CylinderFlow&) = delete;
 
   const Cylinder& scene() const { return scene_; }
-  const flow::DenseSpace<2>& space() const { return space_; }
-  flow::DenseFlow<2>& flow() { return flow_; }
-  const flow::DenseFlow<2>& flow() const { return flow_; }
+  const mixed::MixedSpace<2>& space() const { return space_; }
+  mixed::MixedFlow<2>& flow() { return flow_; }
+  const mixed::MixedFlow<2>& flow() const { return flow_; }
 
  private:
   Cylinder scene_;
-  flow::DenseSpace<2> space_;
-  flow::DenseFlow<2> flow_;
+  mixed::MixedSpace<2> space_;
+  mixed::MixedFlow<2> flow_;
 };
 
 /// What is measured of a solution; forces per unit thickness on the whole cylinder and both walls.
@@ -77,17 +77,6 @@ struct CylinderMeasures {
 /// Measures a state at the flow's own loading and λr; evaluates the flow there.
 CylinderMeasures measure(CylinderFlow& cylinder, const CylinderFlow::State& state);
 
-/// The rheology at a point of a solution.
-struct CylinderPoint {
-  flow::DenseSpace<2>::Values values;
-  double total_pressure = 0, regularised_pressure = 0, shear_rate = 0, viscosity = 0;
-  double inertial_number = 0;
-  double well_posedness = 0;  ///< C: positive where the equations are ill-posed
-  bool has_yielded = false;
-};
-CylinderPoint point_at(const CylinderFlow& cylinder, const CylinderFlow::State& state,
-                       std::size_t element, const flow::Point<2>& reference);
-
 /// How a path is followed: round its folds; with the parameter stepped and Newton's own tangent;
 /// with the parameter stepped, in decades of λr, and the primal-dual tangent.
 enum class Continuation { arclength, natural, primal_dual };
@@ -105,8 +94,8 @@ using CylinderPath = solve::Path<CylinderFlow::State>;
 double held_loading(const Cylinder& scene);
 
 /// Whether it makes sense to look for creep: a law with a yield stress, a loading that walls and
-/// cylinder hold between them, or nearly so, no plain penalty that gives way before friction, and no
-/// open outlet, with which there are several flows.
+/// cylinder hold between them, or nearly so, no plain penalty that gives way before friction, and
+/// no open outlet, with which there are several flows.
 bool may_creep(const Cylinder& scene, double loading);
 
 /// Options with which paths of this scene are followed.
@@ -121,10 +110,10 @@ CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading,
                              const CylinderObserver& observe = {});
 
 /// Solves a loading that the cylinder holds, where velocities go with λr, without a path
-/// (common/flow/creep.hpp): from rest, or from the state, which creeps under `loading_before`. If
+/// (common/mixed/creep.hpp): from rest, or from the state, which creeps under `loading_before`. If
 /// it fails the state is as it was.
-flow::CreepSummary creep_to(CylinderFlow& cylinder, double loading, double loading_before,
-                            CylinderFlow::State& state, double tolerance = 1e-13);
+mixed::CreepSummary creep_to(CylinderFlow& cylinder, double loading, double loading_before,
+                             CylinderFlow::State& state, double tolerance = 1e-13);
 /// From rest.
 solve::NewtonSummary solve_creep(CylinderFlow& cylinder, double loading, CylinderFlow::State& state,
                                  double tolerance = 1e-13);

@@ -13,8 +13,8 @@
 #include <memory>
 #include <numbers>
 
-#include "common/flow/dense_jacobian.hpp"
 #include "common/io/options.hpp"
+#include "common/mixed/mixed_jacobian.hpp"
 #include "common/program/method_options.hpp"
 #include "common/program/penalty_options.hpp"
 #include "common/program/summary.hpp"
@@ -51,7 +51,7 @@ std::vector<double> read_sweep(const std::string& text) {
   const int n = io::whole_in_range("--sweep", parts[2], 2, 1000);
   std::vector<double> loadings;
   for (int i = 0; i < n; ++i)  // 0.05, not the 0.049999999999999996 of the formula
-    loadings.push_back(std::stod(io::rounded(a + (b - a) * i / (n - 1), 12)));
+    loadings.push_back(io::number_in(io::rounded(a + (b - a) * i / (n - 1), 12)));
   return loadings;
 }
 
@@ -64,7 +64,7 @@ void read(Options& o) {
   scene.penalty = program::penalty_of(o.penalty);
   scene.inertia = !o.no_inertia;
   scene.regularises_pressure = !o.no_pressure_regularisation;
-  for (const flow::Open open : {flow::Open::no, flow::Open::viscous, flow::Open::all})
+  for (const mixed::Open open : {mixed::Open::no, mixed::Open::viscous, mixed::Open::all})
     if (o.outflow == twod::name_of_outflow(open)) scene.open_outlet = open;
   if (!o.sweep.empty()) o.run.loadings = read_sweep(o.sweep);
   if (!o.friction.empty()) scene.law = program::friction_law(o.friction, scene.law);
@@ -96,7 +96,7 @@ program::Task task_at(const Options& options, double share) {
             ? 10
             : 50;
   return {std::to_string(mesh.around),
-          program::dense_work({across, static_cast<int>(std::ceil(elements / across)), 0}, 2,
+          program::mixed_work({across, static_cast<int>(std::ceil(elements / across)), 0}, 2,
                               factorisations)};
 }
 
@@ -172,7 +172,7 @@ int run(Options& options, scene::Case& a_case) {
   if (a_case.is_dry_run()) return 0;
   if (options.check_jacobian) {
     const twod::CylinderFlow cylinder(options.run.scene);
-    return program::report("cylinder", flow::check_jacobian(cylinder.flow(), 1));  // p_ext
+    return program::report("cylinder", mixed::check_jacobian(cylinder.flow(), 1));  // p_ext
   }
   const io::ResultFolder folder = a_case.folder(options.output);
   const solve::Stopwatch watch;

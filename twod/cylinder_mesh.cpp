@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "common/fem/line_mesh.hpp"
-#include "common/flow/mesh_tools.hpp"
+#include "common/fem/mesh_tools.hpp"
 
 namespace talus::twod {
 namespace {
@@ -18,8 +18,8 @@ int rounded(double count) {
   return static_cast<int>(std::lround(count));
 }
 
-flow::Mesh<2> rectangle(const Line& x, const Line& z) {
-  return flow::tensor_mesh<2>({x, z});
+fem::Mesh<2> rectangle(const Line& x, const Line& z) {
+  return fem::tensor_mesh<2>({x, z});
 }
 
 // Layers of the O-grid: as many as widen from the first to the outermost size along a mean ray, and
@@ -31,12 +31,12 @@ int layers(const CylinderMeshOptions& options, double outer_size) {
 }
 
 // The O-grid's quarter x >= 0, z >= 0, on straight rays from the circle to the square.
-flow::Mesh<2> o_grid_quarter(const CylinderMeshOptions& options) {
+fem::Mesh<2> o_grid_quarter(const CylinderMeshOptions& options) {
   const int per_side = options.around / 8, rays = 2 * per_side;
   const double block = options.half_block, gap = block - radius;
   const Line depth =
       fem::geometric_line(0, gap, layers(options, block / per_side), options.first_layer);
-  flow::Mesh<2> mesh = rectangle(depth, fem::graded_line(0, rays, rays, 1));
+  fem::Mesh<2> mesh = rectangle(depth, fem::graded_line(0, rays, rays, 1));
   for (Eigen::Vector2d& node : mesh.nodes) {
     const double share = node[0] / gap, ray = node[1];  // ray 0 points along x, the last along z
     const double step = std::numbers::pi / (2 * rays);
@@ -82,7 +82,7 @@ std::size_t element_count(const CylinderMeshOptions& options) {
   return static_cast<std::size_t>(options.full ? 2 * half : half);
 }
 
-flow::Mesh<2> cylinder_mesh(const CylinderMeshOptions& options) {
+fem::Mesh<2> cylinder_mesh(const CylinderMeshOptions& options) {
   // 1. Element boundaries.
   const auto [per_side, columns, rows, outlet_rows] = divisions(options);
   const double block = options.half_block;
@@ -91,16 +91,16 @@ flow::Mesh<2> cylinder_mesh(const CylinderMeshOptions& options) {
   across.insert(across.end(), outside.begin() + 1, outside.end());
 
   // 2. Blocks of the half x >= 0.
-  const flow::Mesh<2> quarter = o_grid_quarter(options);
-  flow::Mesh<2> mesh = flow::joined<2>(
-      {quarter, flow::mirrored(quarter, 1),
+  const fem::Mesh<2> quarter = o_grid_quarter(options);
+  fem::Mesh<2> mesh = fem::joined<2>(
+      {quarter, fem::mirrored(quarter, 1),
        rectangle(outside, fem::graded_line(-block, block, 2 * per_side, 1)),
        rectangle(across, fem::graded_line(block, options.half_height, rows, 1)),
        rectangle(across, fem::graded_line(-options.outlet, -block, outlet_rows, 1))});
-  if (options.full) mesh = flow::joined<2>({mesh, flow::mirrored(mesh, 0)});
+  if (options.full) mesh = fem::joined<2>({mesh, fem::mirrored(mesh, 0)});
 
   // 3. Names of what is left open.
-  flow::name_boundaries<2>(mesh, [&](const Eigen::Vector2d& x) {
+  fem::name_boundaries<2>(mesh, [&](const Eigen::Vector2d& x) {
     if (x[0] == 0) return "symmetry";
     if (std::abs(x[0]) == options.half_width) return "wall";
     if (x[1] == options.half_height) return "top";

@@ -1,7 +1,7 @@
 // The mesh around the cylinder: an O-grid blended into a square, then rectangles out to the box.
 #pragma once
 
-#include "common/flow/mesh.hpp"
+#include "common/fem/mesh.hpp"
 
 namespace talus::twod {
 
@@ -25,6 +25,6 @@ std::size_t element_count(const CylinderMeshOptions& options);
 /// The box |x| <= half_width, -outlet <= z <= half_height without the disc of diameter 1 at the
 /// origin, coordinates (x, z), nodes exactly on the circle. Boundaries: "cylinder", "wall"
 /// (|x| = half_width), "top" and "bottom" (ends in z), "symmetry" (x = 0, half the box only).
-flow::Mesh<2> cylinder_mesh(const CylinderMeshOptions& options);
+fem::Mesh<2> cylinder_mesh(const CylinderMeshOptions& options);
 
 }  // namespace talus::twod

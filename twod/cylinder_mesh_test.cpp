@@ -8,14 +8,14 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "common/flow/mesh_tools.hpp"
+#include "common/fem/mesh_tools.hpp"
 
 using namespace talus;
 using namespace talus::twod;
 using Eigen::Vector2d;
-using flow::Face;
-using flow::measure;
-using Mesh = flow::Mesh<2>;
+using fem::Face;
+using fem::measure;
+using Mesh = fem::Mesh<2>;
 
 namespace {
 
@@ -29,7 +29,7 @@ CylinderMeshOptions both_halves(CylinderMeshOptions options = {}) {
 bool lies_on(const Mesh& mesh, const std::string& name,
              const std::function<bool(const Vector2d&)>& is_there) {
   for (const Face& face : mesh.boundaries.at(name))
-    for (const std::size_t a : flow::face_nodes<2>(face.side))
+    for (const std::size_t a : fem::face_nodes<2>(face.side))
       if (!is_there(mesh.nodes[static_cast<std::size_t>(mesh.elements[face.element][a])]))
         return false;
   return true;
@@ -52,7 +52,7 @@ bool names_cover_all_outer_faces(const Mesh& mesh) {
   std::multiset<std::pair<std::size_t, int>> named, outer;
   for (const auto& [name, faces] : mesh.boundaries)
     for (const Face& face : faces) named.insert({face.element, face.side});
-  for (const Face& face : flow::outer_faces(mesh)) outer.insert({face.element, face.side});
+  for (const Face& face : fem::outer_faces(mesh)) outer.insert({face.element, face.side});
   return named == outer;
 }
 
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(the_default_mesh_is_that_of_the_paper) {
   BOOST_TEST(mesh.fixed.size() == mesh.nodes.size());
   BOOST_TEST(smallest_jacobian(mesh) > 0);
   // Euler: nodes = vertices + edges + elements of a simply connected domain.
-  const std::size_t outer = flow::outer_faces(mesh).size(), elements = mesh.elements.size();
+  const std::size_t outer = fem::outer_faces(mesh).size(), elements = mesh.elements.size();
   const std::size_t edges = (4 * elements + outer) / 2, vertices = 1 + edges - elements;
   BOOST_TEST(mesh.nodes.size() == vertices + edges + elements);
   BOOST_TEST(!has_duplicates(mesh));

@@ -114,7 +114,7 @@ SmoothStart start_along_loading(CylinderFlow& cylinder, double loading, double l
   auto along = loading_options(cylinder.scene(), loading, options);
   along.smallest_step = 0.02;  // rather set out from another λr than creep
   along.max_points = 100;
-  auto path = follow(cylinder, flow::LoadPath<2>(cylinder.flow()),
+  auto path = follow(cylinder, mixed::LoadPath<2>(cylinder.flow()),
                      {.state = std::move(start.state), .parameter = held, .step = 1},
                      Continuation::primal_dual, along, {});
   return {std::move(path.next.state), start.lambda_r, path.end == solve::PathEnd::target_reached};
@@ -164,8 +164,8 @@ bool may_creep(const Cylinder& scene, double loading) {
   const double length = scene.mesh.half_height + scene.mesh.outlet;
   const double yield = scene.law.mu_s / scene.mesh.half_width * (1 + cylinder_share / (2 * length));
   const bool is_soft =
-      scene.penalty.kind == flow::Penalty::plain && scene.penalty.lambda_p > scene.lambda_r;
-  const bool is_open = scene.open_outlet != flow::Open::no;  // several flows: a path tells which
+      scene.penalty.kind == mixed::Penalty::plain && scene.penalty.lambda_p > scene.lambda_r;
+  const bool is_open = scene.open_outlet != mixed::Open::no;  // several flows: a path tells which
   return rheology::has_yield_stress(scene.regularisation) && !is_soft && !is_open &&
          loading <= yield;
 }
@@ -191,11 +191,11 @@ CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading, Continuatio
                          continuation, options, observe);
 }
 
-flow::CreepSummary creep_to(CylinderFlow& cylinder, double loading, double loading_before,
-                            State& state, double tolerance) {
+mixed::CreepSummary creep_to(CylinderFlow& cylinder, double loading, double loading_before,
+                             State& state, double tolerance) {
   cylinder.flow().set_lambda_r(cylinder.scene().lambda_r);
-  return flow::creep_to_load(cylinder.flow(), loading, loading_before, state,
-                             flow::creep_options(tolerance));
+  return mixed::creep_to_load(cylinder.flow(), loading, loading_before, state,
+                              mixed::creep_options(tolerance));
 }
 
 solve::NewtonSummary solve_creep(CylinderFlow& cylinder, double loading, State& state,
@@ -209,7 +209,7 @@ CylinderPath follow_lambda_r(CylinderFlow& cylinder, double loading, solve::Path
   cylinder.flow().set_load_factor(loading);
   options.target = std::log10(cylinder.scene().lambda_r);
   options.upper = 1;  // λr = 10: a path that climbs there has turned back for good
-  return follow(cylinder, flow::RegularisationPath<2>(cylinder.flow()), std::move(start),
+  return follow(cylinder, mixed::RegularisationPath<2>(cylinder.flow()), std::move(start),
                 continuation, options, observe);
 }
 
@@ -217,7 +217,7 @@ CylinderPath follow_loading(CylinderFlow& cylinder, solve::PathStart<State> star
                             Continuation continuation, const solve::PathOptions& options,
                             const CylinderObserver& observe) {
   cylinder.flow().set_lambda_r(cylinder.scene().lambda_r);
-  return follow(cylinder, flow::LoadPath<2>(cylinder.flow()), std::move(start), continuation,
+  return follow(cylinder, mixed::LoadPath<2>(cylinder.flow()), std::move(start), continuation,
                 loading_options(cylinder.scene(), target, options), observe);
 }
 

@@ -131,8 +131,8 @@ BOOST_AUTO_TEST_CASE(the_paths_lead_where_newton_leads) {
 BOOST_AUTO_TEST_CASE(tangent_steps_along_both_parameters_are_of_second_order) {
   CylinderFlow cylinder(cylinder_of(16, 1e-2));
   const State state = creep(cylinder, 0.045);
-  check_predictor_order<flow::RegularisationPath<2>>(cylinder, state, 0.02);
-  check_predictor_order<flow::LoadPath<2>>(cylinder, state, 0.02);
+  check_predictor_order<mixed::RegularisationPath<2>>(cylinder, state, 0.02);
+  check_predictor_order<mixed::LoadPath<2>>(cylinder, state, 0.02);
 }
 
 BOOST_AUTO_TEST_CASE(a_creeping_load_takes_at_most_fifteen_factorisations_from_rest) {
@@ -186,6 +186,6 @@ BOOST_AUTO_TEST_CASE(a_load_that_does_not_creep_costs_little_and_leaves_the_stat
   fluid.regularisation = *rheology::regularisation_named("barker-gray");
   BOOST_TEST(!may_creep(fluid, 0.02));
   Cylinder soft = cylinder.scene();
-  soft.penalty = {flow::Penalty::plain, 10 * soft.lambda_r};
+  soft.penalty = {mixed::Penalty::plain, 10 * soft.lambda_r};
   BOOST_TEST(!may_creep(soft, 0.02));
 }

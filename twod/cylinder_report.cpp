@@ -57,26 +57,26 @@ double effective_froude(const CylinderMeasures& m, double confining_pressure) {
 // A point of the perimeter.
 struct PerimeterPoint {
   double angle = 0;  // degrees from the downstream end
-  CylinderPoint at;
+  mixed::FlowPoint<2> at;
   double normal_stress = 0, shear_stress = 0;  // of ηγ - p_total 1
 };
 
 std::vector<PerimeterPoint> perimeter(const CylinderFlow& cylinder, const State& state) {
   std::vector<PerimeterPoint> points;
   const auto& mesh = cylinder.space().mesh();
-  for (const flow::Face& face : mesh.boundaries.at("cylinder"))
-    for (const auto& each : flow::face_rule(mesh, face)) {
+  for (const fem::Face& face : mesh.boundaries.at("cylinder"))
+    for (const auto& each : fem::face_rule(mesh, face)) {
       PerimeterPoint point;
-      point.at = point_at(cylinder, state, face.element, each.reference);
+      point.at = cylinder.flow().point_at(state, face.element, each.reference);
       const auto& x = point.at.values.position;
       if (x[0] < 0) continue;
       point.angle = std::atan2(x[0], -x[1]) * 180 / std::numbers::pi;
       const Eigen::Matrix2d gamma =
           point.at.values.velocity_gradient + point.at.values.velocity_gradient.transpose();
-      const flow::Point<2> normal = -each.normal;  // out of the cylinder
-      const flow::Point<2> tangent(normal[1], -normal[0]);
-      const flow::Point<2> drag = point.at.viscosity * gamma * normal;
-      point.normal_stress = drag.dot(normal) - point.at.total_pressure;
+      const fem::Point<2> normal = -each.normal;  // out of the cylinder
+      const fem::Point<2> tangent(normal[1], -normal[0]);
+      const fem::Point<2> drag = point.at.law.viscosity * gamma * normal;
+      point.normal_stress = drag.dot(normal) - point.at.law.total_pressure;
       point.shear_stress = drag.dot(tangent);
       points.push_back(point);
     }
@@ -112,10 +112,10 @@ PathRecord record_from(const nlohmann::json& json) {
   return record;
 }
 
-std::string name_of_outflow(flow::Open open) {
-  return open == flow::Open::no        ? "fully-developed"
-         : open == flow::Open::viscous ? "open-viscous"
-                                       : "open";
+std::string name_of_outflow(mixed::Open open) {
+  return open == mixed::Open::no        ? "fully-developed"
+         : open == mixed::Open::viscous ? "open-viscous"
+                                        : "open";
 }
 
 nlohmann::json as_json(const Cylinder& scene) {
@@ -178,10 +178,10 @@ io::Table perimeter_table(const CylinderFlow& cylinder, const State& state) {
                   {}};
   for (const PerimeterPoint& p : perimeter(cylinder, state))
     table.rows.push_back(
-        {io::exact(p.angle), io::exact(p.at.values.pressure), io::exact(p.at.total_pressure),
-         io::exact(p.at.regularised_pressure), io::exact(p.normal_stress),
+        {io::exact(p.angle), io::exact(p.at.values.pressure), io::exact(p.at.law.total_pressure),
+         io::exact(p.at.law.regularised_pressure), io::exact(p.normal_stress),
          io::exact(p.shear_stress),
-         io::exact(p.normal_stress + p.at.total_pressure - p.at.regularised_pressure)});
+         io::exact(p.normal_stress + p.at.law.total_pressure - p.at.law.regularised_pressure)});
   return table;
 }
 
@@ -201,20 +201,20 @@ io::QuadraticGrid grid(const CylinderFlow& cylinder, const State& state) {
       eta_static{"viscosity_static_part", {}}, eta_dynamic{"viscosity_dynamic_part", {}},
       inertial{"inertial_number", {}}, posed{"well_posedness", {}}, yielded{"yielded", {}};
   for (std::size_t e = 0; e < space.element_count(); ++e) {
-    const CylinderPoint at = point_at(cylinder, state, e, flow::Point<2>::Zero());
+    const mixed::FlowPoint<2> at = cylinder.flow().point_at(state, e, fem::Point<2>::Zero());
     // The yield stress over the regularised shear rate, as in eq. (12), and the rest.
-    const double yield_part = law.mu_s * at.regularised_pressure /
-                              std::hypot(at.shear_rate, cylinder.flow().rheology().lambda_r);
+    const double yield_part = law.mu_s * at.law.regularised_pressure /
+                              std::hypot(at.law.shear_rate, cylinder.flow().rheology().lambda_r);
     dynamic.values.push_back(at.values.pressure);
-    total.values.push_back(at.total_pressure);
-    regularised.values.push_back(at.regularised_pressure);
-    rate.values.push_back(at.shear_rate);
-    eta.values.push_back(at.viscosity);
+    total.values.push_back(at.law.total_pressure);
+    regularised.values.push_back(at.law.regularised_pressure);
+    rate.values.push_back(at.law.shear_rate);
+    eta.values.push_back(at.law.viscosity);
     eta_static.values.push_back(yield_part);
-    eta_dynamic.values.push_back(at.viscosity - yield_part);
-    inertial.values.push_back(at.inertial_number);
-    posed.values.push_back(at.well_posedness);
-    yielded.values.push_back(at.has_yielded ? 1 : 0);
+    eta_dynamic.values.push_back(at.law.viscosity - yield_part);
+    inertial.values.push_back(at.law.inertial_number);
+    posed.values.push_back(at.law.well_posedness);
+    yielded.values.push_back(at.law.has_yielded ? 1 : 0);
   }
   grid.cell_fields = {dynamic,    total,       regularised, rate,  eta,
                       eta_static, eta_dynamic, inertial,    posed, yielded};
@@ -254,12 +254,12 @@ io::Figure perimeter_figure(const CylinderFlow& cylinder, const State& state) {
     for (io::Curve* curve : {&dynamic, &total, &regularised, &normal, &shear, &regularised_normal})
       curve->x.push_back(p.angle);
     dynamic.y.push_back(p.at.values.pressure);
-    total.y.push_back(p.at.total_pressure);
-    regularised.y.push_back(p.at.regularised_pressure);
+    total.y.push_back(p.at.law.total_pressure);
+    regularised.y.push_back(p.at.law.regularised_pressure);
     normal.y.push_back(p.normal_stress);
     shear.y.push_back(p.shear_stress);
-    regularised_normal.y.push_back(p.normal_stress + p.at.total_pressure -
-                                   p.at.regularised_pressure);
+    regularised_normal.y.push_back(p.normal_stress + p.at.law.total_pressure -
+                                   p.at.law.regularised_pressure);
   }
   pressures.curves = {dynamic, total, regularised};
   stresses.curves = {normal, shear, regularised_normal};

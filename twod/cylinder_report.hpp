@@ -28,7 +28,7 @@ CylinderMeasures measures_from(const nlohmann::json& json);
 nlohmann::json as_json(const PathRecord& record);
 PathRecord record_from(const nlohmann::json& json);
 /// The name of an outlet condition on the command line.
-std::string name_of_outflow(flow::Open open);
+std::string name_of_outflow(mixed::Open open);
 /// The parameters of a scene.
 nlohmann::json as_json(const Cylinder& scene);
 

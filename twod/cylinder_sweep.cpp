@@ -67,7 +67,7 @@ bool CylinderSweep::reach(double target) {
 }
 
 // From the loading before, if that creeps as well; else from rest.
-flow::CreepSummary CylinderSweep::creep_to(double target) {
+mixed::CreepSummary CylinderSweep::creep_to(double target) {
   const bool goes_on = state_.size() > 0 && may_creep(options_.scene, loading_);
   way_ = goes_on ? "newton from the load before" : "creep from rest";
   progress_.show("F = " + io::rounded(target, 6) + ": " + way_, share_reached());
@@ -172,7 +172,7 @@ bool CylinderSweep::finish_path() {
 }
 
 // Creep is a point of path.csv as well.
-bool CylinderSweep::finish_creep(const flow::CreepSummary& creep) {
+bool CylinderSweep::finish_creep(const mixed::CreepSummary& creep) {
   loading_ = cylinder_.flow().load_factor();
   const CylinderMeasures m = measure(cylinder_, state_);
   solve::PathPoint point{.parameter = loading_, .corrections = creep.newton.iterations()};

@@ -75,11 +75,11 @@ class CylinderSweep {
   bool resume();
   void recall(const program::Checkpoint& checkpoint);
   bool reach(double target);
-  flow::CreepSummary creep_to(double target);
+  mixed::CreepSummary creep_to(double target);
   bool follow_paths(double target);
   bool accept(CylinderPath path);
   bool finish_path();
-  bool finish_creep(const flow::CreepSummary& creep);
+  bool finish_creep(const mixed::CreepSummary& creep);
   bool finish_loading(const CylinderMeasures& measures, int loads);
   void add_to_sweep(const CylinderMeasures& measures);
   void write_sweep() const;

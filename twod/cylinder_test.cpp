@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "common/flow/dense_jacobian.hpp"
-#include "common/flow/dense_test_problems.hpp"
+#include "common/mixed/mixed_jacobian.hpp"
+#include "common/mixed/mixed_test_problems.hpp"
 #include "twod/cylinder_report.hpp"
 #include "twod/cylinder_test_problems.hpp"
 
@@ -19,9 +19,9 @@ std::pair<double, double> norms(const CylinderFlow& cylinder, const State& state
   double pressure = 0, gradient = 0;
   const auto& space = cylinder.space();
   for (std::size_t e = 0; e < space.element_count(); ++e)
-    for (const auto& point : flow::gauss_rule<2>(3)) {
+    for (const auto& point : fem::gauss_rule<2>(3)) {
       const double weight =
-          point.weight * flow::ElementPoint<2>(space.mesh(), e, point.position).determinant;
+          point.weight * fem::ElementPoint<2>(space.mesh(), e, point.position).determinant;
       const auto values = space.values_at(state, e, point.position);
       pressure += weight * std::pow(values.pressure, 2);
       gradient += weight * values.velocity_gradient.squaredNorm();
@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(half_and_full_domain_agree) {
 BOOST_AUTO_TEST_CASE(a_plain_penalty_leaves_the_divergence_it_should) {
   constexpr double loading = 0.03, lambda_r = 1e-2;
   Cylinder plain = cylinder_of(16, lambda_r);
-  plain.penalty = {flow::Penalty::plain, 1e-8};
+  plain.penalty = {mixed::Penalty::plain, 1e-8};
   CylinderFlow cylinder(plain);
   const State state = creep(cylinder, loading);
   const CylinderMeasures m = measure(cylinder, state);
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(a_plain_penalty_leaves_the_divergence_it_should) {
 }
 
 BOOST_AUTO_TEST_CASE(an_outlet_whose_pressure_is_open_carries_the_column) {
-  const auto velocity = [](flow::Open open) {
+  const auto velocity = [](mixed::Open open) {
     Cylinder outlet = cylinder_of(16, 0.1);
     outlet.mesh.outlet = 8;
     outlet.open_outlet = open;
@@ -118,25 +118,25 @@ BOOST_AUTO_TEST_CASE(an_outlet_whose_pressure_is_open_carries_the_column) {
     solve_at(cylinder, 0.045, 0.1, state, 1e-9);
     return measure(cylinder, state).mean_velocity;
   };
-  const double developed = velocity(flow::Open::no);
-  BOOST_TEST_MESSAGE("U " << developed << ", viscous " << velocity(flow::Open::viscous) << ", all "
-                          << velocity(flow::Open::all));
-  BOOST_TEST(relative(velocity(flow::Open::viscous), developed) < 0.05);
-  BOOST_TEST(std::abs(velocity(flow::Open::all)) < 1e-3 * developed);
+  const double developed = velocity(mixed::Open::no);
+  BOOST_TEST_MESSAGE("U " << developed << ", viscous " << velocity(mixed::Open::viscous) << ", all "
+                          << velocity(mixed::Open::all));
+  BOOST_TEST(relative(velocity(mixed::Open::viscous), developed) < 0.05);
+  BOOST_TEST(std::abs(velocity(mixed::Open::all)) < 1e-3 * developed);
 }
 
 BOOST_AUTO_TEST_CASE(the_tangent_at_a_viscous_outlet_is_the_derivative) {
-  auto conditions = flow::mixed_conditions<2>();
-  const flow::DenseSpace<2> all(flow::awkward_mesh2(2, 2), conditions);
-  conditions["right"] = flow::open_boundary<2>(flow::Open::viscous);
-  const flow::DenseSpace<2> viscous(flow::awkward_mesh2(2, 2), conditions);
+  auto conditions = mixed::mixed_conditions<2>();
+  const mixed::MixedSpace<2> all(mixed::awkward_mesh2(2, 2), conditions);
+  conditions["right"] = mixed::open_boundary<2>(mixed::Open::viscous);
+  const mixed::MixedSpace<2> viscous(mixed::awkward_mesh2(2, 2), conditions);
   for (const auto& law : rheology::regularisations()) {
-    flow::DenseFlow<2> problem(viscous, {{}, law, 1e-2}, flow::test_load<2>(1));
-    flow::DenseFlow<2> other(all, {{}, law, 1e-2}, flow::test_load<2>(1));
-    const auto state = flow::state_of(viscous, {"", 1, 1, 0.5, 1});
-    auto jacobian = flow::jacobian_problem(problem, state);
+    mixed::MixedFlow<2> problem(viscous, {{}, law, 1e-2}, mixed::test_load<2>(1));
+    mixed::MixedFlow<2> other(all, {{}, law, 1e-2}, mixed::test_load<2>(1));
+    const auto state = mixed::state_of(viscous, {"", 1, 1, 0.5, 1});
+    auto jacobian = mixed::jacobian_problem(problem, state);
     BOOST_TEST(solve::check_jacobian(jacobian, 0.1).passed(), rheology::name_of(law));
-    jacobian.product = flow::jacobian_problem(other, state).product;
+    jacobian.product = mixed::jacobian_problem(other, state).product;
     BOOST_TEST(!solve::check_jacobian(jacobian, 0.1).passed(), rheology::name_of(law));
   }
 }

@@ -16,7 +16,7 @@ constexpr int most_angles = 100, most_failures = 12;
 class Excess {
  public:
   Excess(double target, const Section& section, const SectionMesh& mesh,
-         flow::CrossSection<2>& space, const flow::ShearOptions& options, Start start)
+         shear::CrossSection<2>& space, const shear::ShearOptions& options, Start start)
       : target_(target),
         section_(section),
         mesh_(mesh),
@@ -45,10 +45,10 @@ class Excess {
   double target_;
   Section section_;
   SectionMesh mesh_;
-  flow::CrossSection<2>& space_;
-  const flow::ShearOptions& options_;
+  shear::CrossSection<2>& space_;
+  const shear::ShearOptions& options_;
   Start start_;
-  flow::ShearStart<2> before_;
+  shear::ShearStart<2> before_;
   SectionSolution last_;
 };
 
@@ -62,16 +62,16 @@ struct Bracket {
   double middle() const { return 0.5 * (low + high); }
 };
 
-Bracket limits(const Section& section, const flow::ShearOptions& options) {
+Bracket limits(const Section& section, const shear::ShearOptions& options) {
   constexpr double smallest_angle = 1e-3;
   const double yield = std::atan(section.law.mu_s);
-  return {options.method == flow::Method::newton ? std::min(smallest_angle, yield) : yield,
+  return {options.method == shear::Method::newton ? std::min(smallest_angle, yield) : yield,
           std::atan(section.law.mu_2())};
 }
 
 // Relative, of the flow rate: 1e-10, or what the solves leave in doubt.
-double rate_tolerance(const flow::ShearOptions& options) {
-  return std::max(1e-10, options.method == flow::Method::newton
+double rate_tolerance(const shear::ShearOptions& options) {
+  return std::max(1e-10, options.method == shear::Method::newton
                              ? 10 * options.newton.tolerance
                              : 0.5 * options.interior_point.tolerance);
 }
@@ -143,7 +143,7 @@ struct Guess {
 
 // From a coarser mesh, if there is one and it finds its way.
 std::optional<Guess> coarse_guess(double target, const Section& section, const SectionMesh& mesh,
-                                  const flow::ShearOptions& options, Start start) {
+                                  const shear::ShearOptions& options, Start start) {
   SectionMesh coarse = mesh;
   coarse.across /= coarsening;
   coarse.up /= coarsening;
@@ -165,8 +165,8 @@ std::optional<Guess> coarse_guess(double target, const Section& section, const S
 }  // namespace
 
 SectionSolution solve_for_flow_rate(double target, const Section& section, const SectionMesh& mesh,
-                                    flow::CrossSection<2>& space, const flow::ShearOptions& options,
-                                    Start start) {
+                                    shear::CrossSection<2>& space,
+                                    const shear::ShearOptions& options, Start start) {
   Excess excess(target, section, mesh, space, options, start);
   const Bracket all = limits(section, options);
   // Flow starts above arctan μs, later than that because of the side walls.

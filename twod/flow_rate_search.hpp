@@ -20,7 +20,7 @@ struct FlowRateError : std::runtime_error {
 /// do not gain. They set out from the angle and the slope found on a mesh four times as coarse.
 /// Throws FlowRateError.
 SectionSolution solve_for_flow_rate(double flow_rate, const Section& section,
-                                    const SectionMesh& mesh, flow::CrossSection<2>& space,
-                                    const flow::ShearOptions& options, Start start = Start::rest);
+                                    const SectionMesh& mesh, shear::CrossSection<2>& space,
+                                    const shear::ShearOptions& options, Start start = Start::rest);
 
 }  // namespace talus::twod

@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(every_flow_rate_between_creep_and_the_fastest_has_its_angle
         const auto solution = solve_for_flow_rate(rate, section, mesh, space, options);
         BOOST_TEST(flow_rate(solution, space) == rate, boost::test_tools::tolerance(1e-8));
       }
-      if (options.method == flow::Method::newton) {  // slower than what creeps at rest
+      if (options.method == shear::Method::newton) {  // slower than what creeps at rest
         const double creep = 0.5 * rate_at(0);
         const auto solution = solve_for_flow_rate(creep, section, mesh, space, options);
         BOOST_TEST(flow_rate(solution, space) == creep, boost::test_tools::tolerance(1e-8));

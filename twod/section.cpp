@@ -9,7 +9,7 @@ namespace talus::twod {
 namespace {
 
 // Distinct first coordinates of the nodes, ascending: nodes are stored row by row.
-std::size_t nodes_in_row(const flow::CrossSection<2>& space) {
+std::size_t nodes_in_row(const shear::CrossSection<2>& space) {
   const auto& nodes = space.mesh().nodes;
   const auto next = std::find_if(nodes.begin() + 1, nodes.end(),
                                  [&](const auto& node) { return node[1] != nodes[0][1]; });
@@ -20,7 +20,7 @@ std::size_t nodes_in_row(const flow::CrossSection<2>& space) {
 struct YieldDepths {
   std::vector<double> y, depth;
 
-  YieldDepths(const SectionSolution& solution, const flow::CrossSection<2>& space,
+  YieldDepths(const SectionSolution& solution, const shear::CrossSection<2>& space,
               std::size_t elements_across) {
     const auto load = load_of(solution.section);
     const std::size_t elements = space.element_count();
@@ -62,22 +62,22 @@ struct YieldDepths {
 
 }  // namespace
 
-flow::ShearOptions default_options() {
-  flow::ShearOptions options;
-  options.method = flow::Method::interior_point;
+shear::ShearOptions default_options() {
+  shear::ShearOptions options;
+  options.method = shear::Method::interior_point;
   options.interior_point.tolerance = 1e-8;
-  options.interior_point.path = flow::CentralPath::uniform;
+  options.interior_point.path = shear::CentralPath::uniform;
   options.lambda_r = 1e-5;
-  options.tangent_term = flow::TangentTerm::primal_dual;
-  options.continuation = flow::Continuation::always;
+  options.tangent_term = shear::TangentTerm::primal_dual;
+  options.continuation = shear::Continuation::always;
   options.path.factor = 1e-3;
   options.path.tolerance_on_the_way = 1e-2;
   return options;
 }
 
-flow::ShearOptions newton_options(double lambda_r) {
-  flow::ShearOptions options = default_options();
-  options.method = flow::Method::newton;
+shear::ShearOptions newton_options(double lambda_r) {
+  shear::ShearOptions options = default_options();
+  options.method = shear::Method::newton;
   options.lambda_r = lambda_r;
   return options;
 }
@@ -87,29 +87,29 @@ SectionLines lines_of(const Section& section, const SectionMesh& mesh) {
           fem::graded_line(0, section.height, mesh.up, mesh.grading_to_surface)};
 }
 
-flow::CrossSection<2> space_of(const Section& section, const SectionMesh& mesh) {
+shear::CrossSection<2> space_of(const Section& section, const SectionMesh& mesh) {
   const auto [y, z] = lines_of(section, mesh);
   const double half = section.width / 2;
   const bool slips = section.wall == Wall::friction;
-  return flow::CrossSection<2>(
-      flow::rectangle_mesh(
+  return shear::CrossSection<2>(
+      fem::rectangle_mesh(
           y, z, [=](const Eigen::Vector2d& x) { return x[1] == 0 || (x[0] == half && !slips); }),
       slips ? "right" : "");
 }
 
-flow::ShearLoad<2> load_of(const Section& section) {
+shear::ShearLoad<2> load_of(const Section& section) {
   return {
       section.law,
       [=](const Eigen::Vector2d& x) { return (section.height - x[1]) * std::cos(section.angle); },
       [=](const Eigen::Vector2d&) { return std::sin(section.angle); }};
 }
 
-SectionSolution solve(const Section& section, flow::CrossSection<2>& space,
-                      const flow::ShearOptions& options, const flow::ShearStart<2>* start) {
-  return {flow::solve_shear(space, load_of(section), options, start), section};
+SectionSolution solve(const Section& section, shear::CrossSection<2>& space,
+                      const shear::ShearOptions& options, const shear::ShearStart<2>* start) {
+  return {shear::solve_shear(space, load_of(section), options, start), section};
 }
 
-double flow_rate(const SectionSolution& solution, const flow::CrossSection<2>& space) {
+double flow_rate(const SectionSolution& solution, const shear::CrossSection<2>& space) {
   const auto& mesh = space.mesh();
   double integral = 0;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
@@ -122,7 +122,7 @@ double flow_rate(const SectionSolution& solution, const flow::CrossSection<2>& s
 }
 
 SurfaceProfile surface_profile(const SectionSolution& solution,
-                               const flow::CrossSection<2>& space) {
+                               const shear::CrossSection<2>& space) {
   const auto& nodes = space.mesh().nodes;
   const std::size_t columns = nodes_in_row(space), rows = nodes.size() / columns;
   const YieldDepths yield(solution, space, (columns - 1) / 2);
@@ -154,7 +154,7 @@ SurfaceProfile surface_profile(const SectionSolution& solution,
   return profile;
 }
 
-double yielded_share(const SectionSolution& solution, const flow::CrossSection<2>& space) {
+double yielded_share(const SectionSolution& solution, const shear::CrossSection<2>& space) {
   const auto load = load_of(solution.section);
   double yielded = 0, all = 0;
   for (std::size_t k = 0; k < space.points().size(); ++k) {

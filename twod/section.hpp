@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "common/flow/shear_solver.hpp"
+#include "common/shear/shear_solver.hpp"
 
 namespace talus::twod {
 
@@ -37,16 +37,16 @@ struct MeshCost {
   double seconds = 0;  ///< CPU time
 };
 
-struct SectionSolution : flow::ShearSolution {
+struct SectionSolution : shear::ShearSolution {
   Section section;
   std::vector<MeshCost> meshes = {};  ///< if there were several, the finest last
 };
 
 /// What suits the section: the interior point along the uniform path, to a relative gap of 1e-8;
 /// Newton at λr = 1e-5 from a rough solve at 1e-2, and from one every three decades if λr is less.
-flow::ShearOptions default_options();
+shear::ShearOptions default_options();
 /// The same with Newton at this λr.
-flow::ShearOptions newton_options(double lambda_r);
+shear::ShearOptions newton_options(double lambda_r);
 
 /// Boundaries of the elements along y, from the middle to the wall, and along z, upwards.
 struct SectionLines {
@@ -55,19 +55,19 @@ struct SectionLines {
 SectionLines lines_of(const Section& section, const SectionMesh& mesh);
 
 /// The space of a mesh: it depends on no angle, so that one serves a whole search.
-flow::CrossSection<2> space_of(const Section& section, const SectionMesh& mesh);
+shear::CrossSection<2> space_of(const Section& section, const SectionMesh& mesh);
 
 /// Pressure (H - z) cos α and driving force sin α.
-flow::ShearLoad<2> load_of(const Section& section);
+shear::ShearLoad<2> load_of(const Section& section);
 
 /// Solves at section.angle. Newton starts from `start` if it is given, else from rest; the interior
 /// point always starts from rest.
-SectionSolution solve(const Section& section, flow::CrossSection<2>& space,
-                      const flow::ShearOptions& options,
-                      const flow::ShearStart<2>* start = nullptr);
+SectionSolution solve(const Section& section, shear::CrossSection<2>& space,
+                      const shear::ShearOptions& options,
+                      const shear::ShearStart<2>* start = nullptr);
 
 /// Q* = (1/W) ∫ u over the whole channel.
-double flow_rate(const SectionSolution& solution, const flow::CrossSection<2>& space);
+double flow_rate(const SectionSolution& solution, const shear::CrossSection<2>& space);
 
 /// What is measured along the free surface, against y.
 struct SurfaceProfile {
@@ -78,10 +78,11 @@ struct SurfaceProfile {
   /// By the yield criterion: where |τ| first falls to μs p.
   std::vector<double> depth_yield;
 };
-SurfaceProfile surface_profile(const SectionSolution& solution, const flow::CrossSection<2>& space);
+SurfaceProfile surface_profile(const SectionSolution& solution,
+                               const shear::CrossSection<2>& space);
 
 /// Share of the section whose stress exceeds μs p: where the material yields.
-double yielded_share(const SectionSolution& solution, const flow::CrossSection<2>& space);
+double yielded_share(const SectionSolution& solution, const shear::CrossSection<2>& space);
 
 /// Limits of existence of the wide layer: at rest below arctan μs, none beyond arctan μ2.
 rheology::Regime regime(const Section& section);

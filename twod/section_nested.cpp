@@ -3,22 +3,22 @@
 #include <algorithm>
 #include <limits>
 
-#include "common/flow/geometry.hpp"
+#include "common/fem/geometry.hpp"
 #include "common/solve/stopwatch.hpp"
 
 namespace talus::twod {
 namespace {
 
 // The same problem on the next coarser mesh, as a start; none if there is none or it fails.
-std::optional<flow::ShearStart<2>> start_from_coarser(const Section& section,
-                                                      const SectionMesh& mesh,
-                                                      const flow::CrossSection<2>& space,
-                                                      const flow::ShearOptions& options,
-                                                      std::vector<MeshCost>& meshes) {
+std::optional<shear::ShearStart<2>> start_from_coarser(const Section& section,
+                                                       const SectionMesh& mesh,
+                                                       const shear::CrossSection<2>& space,
+                                                       const shear::ShearOptions& options,
+                                                       std::vector<MeshCost>& meshes) {
   const auto coarse = coarsened(mesh);
   if (!coarse) return std::nullopt;
   auto coarse_space = space_of(section, *coarse);
-  flow::ShearOptions rough = options;
+  shear::ShearOptions rough = options;
   rough.newton.tolerance = std::max(CoarserMesh::tolerance, options.newton.tolerance);
   rough.newton.distance = std::numeric_limits<double>::infinity();
   rough.lambda_r = CoarserMesh::lambda_r_for(options.lambda_r);
@@ -37,19 +37,19 @@ std::optional<SectionMesh> coarsened(const SectionMesh& mesh) {
   return coarse;
 }
 
-flow::ShearStart<2> carried_over(const SectionSolution& solution,
-                                 const flow::CrossSection<2>& space, const SectionLines& lines,
-                                 const flow::CrossSection<2>& to) {
+shear::ShearStart<2> carried_over(const SectionSolution& solution,
+                                  const shear::CrossSection<2>& space, const SectionLines& lines,
+                                  const shear::CrossSection<2>& to) {
   const auto point_at = [&](const Eigen::Vector2d& position) {
-    const auto place = flow::locate<2>({lines.across, lines.up}, position);
-    const flow::ElementPoint<2> at(space.mesh(), place.element, place.reference);
+    const auto place = fem::locate<2>({lines.across, lines.up}, position);
+    const fem::ElementPoint<2> at(space.mesh(), place.element, place.reference);
     return std::pair(at, space.local_velocities(solution.velocity, place.element));
   };
   const auto velocity = [](const auto& at, const auto& velocities) {
     return at.values.dot(velocities.relative.template cast<double>()) +
            static_cast<double>(velocities.interior);
   };
-  flow::ShearStart<2> start{solve::CompensatedVector(to.node_count())};
+  shear::ShearStart<2> start{solve::CompensatedVector(to.node_count())};
   for (Eigen::Index i = 0; i < to.node_count(); ++i) {
     if (to.mesh().fixed[static_cast<std::size_t>(i)]) continue;
     const auto [at, velocities] = point_at(to.mesh().nodes[static_cast<std::size_t>(i)]);
@@ -66,7 +66,7 @@ flow::ShearStart<2> carried_over(const SectionSolution& solution,
 }
 
 SectionSolution solve_nested(const Section& section, const SectionMesh& mesh,
-                             flow::CrossSection<2>& space, const flow::ShearOptions& options) {
+                             shear::CrossSection<2>& space, const shear::ShearOptions& options) {
   const solve::Stopwatch watch;
   std::vector<MeshCost> meshes;
   const auto start = start_from_coarser(section, mesh, space, options, meshes);

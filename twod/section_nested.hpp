@@ -24,13 +24,13 @@ struct CoarserMesh {
 std::optional<SectionMesh> coarsened(const SectionMesh& mesh);
 
 /// A solution on the mesh of these lines, to start from in another space of the same section.
-flow::ShearStart<2> carried_over(const SectionSolution& solution,
-                                 const flow::CrossSection<2>& space, const SectionLines& lines,
-                                 const flow::CrossSection<2>& to);
+shear::ShearStart<2> carried_over(const SectionSolution& solution,
+                                  const shear::CrossSection<2>& space, const SectionLines& lines,
+                                  const shear::CrossSection<2>& to);
 
 /// Solves by Newton on `mesh` and before that, roughly, on ever coarser ones, the coarsest from
 /// rest; from rest as well wherever a coarser mesh leads nowhere. `space` is that of `mesh`.
 SectionSolution solve_nested(const Section& section, const SectionMesh& mesh,
-                             flow::CrossSection<2>& space, const flow::ShearOptions& options);
+                             shear::CrossSection<2>& space, const shear::ShearOptions& options);
 
 }  // namespace talus::twod

@@ -81,8 +81,8 @@ BOOST_AUTO_TEST_CASE(where_the_coarser_mesh_fails_the_finer_one_starts_from_rest
   const SectionMesh mesh{18, 25};
   const Section section;
   auto space = space_of(section, mesh);
-  flow::ShearOptions options = newton_options(1e-5);
-  options.continuation = flow::Continuation::never;
+  shear::ShearOptions options = newton_options(1e-5);
+  options.continuation = shear::Continuation::never;
   options.newton.max_iterations = 1;
   const auto nested = solve_nested(section, mesh, space, options);
   const auto rest = twod::solve(section, space, options);

@@ -7,7 +7,7 @@
 
 namespace talus::twod {
 
-nlohmann::json summary(const SectionSolution& solution, const flow::CrossSection<2>& space) {
+nlohmann::json summary(const SectionSolution& solution, const shear::CrossSection<2>& space) {
   nlohmann::json all;
   program::add_outcome(all, solution);
   for (const MeshCost& cost : solution.meshes)
@@ -38,7 +38,7 @@ std::string mesh_lines(const SectionSolution& solution) {
   return lines;
 }
 
-io::Table surface_table(const SectionSolution& solution, const flow::CrossSection<2>& space) {
+io::Table surface_table(const SectionSolution& solution, const shear::CrossSection<2>& space) {
   const SurfaceProfile surface = surface_profile(solution, space);
   io::Table table{"", {"y", "velocity", "depth_1_percent", "depth_5_percent", "depth_yield"}, {}};
   for (std::size_t i = 0; i < surface.y.size(); ++i)
@@ -48,7 +48,7 @@ io::Table surface_table(const SectionSolution& solution, const flow::CrossSectio
   return table;
 }
 
-io::QuadraticGrid grid(const SectionSolution& solution, const flow::CrossSection<2>& space) {
+io::QuadraticGrid grid(const SectionSolution& solution, const shear::CrossSection<2>& space) {
   const auto& mesh = space.mesh();
   io::QuadraticGrid grid = program::grid_of<2>(mesh, {1, 2});
   const Eigen::VectorXd velocity = solution.velocity.value();
@@ -75,7 +75,7 @@ io::QuadraticGrid grid(const SectionSolution& solution, const flow::CrossSection
   return grid;
 }
 
-io::Panel profiles(const SectionSolution& solution, const flow::CrossSection<2>& space,
+io::Panel profiles(const SectionSolution& solution, const shear::CrossSection<2>& space,
                    const std::string& title) {
   io::Panel panel{title, "u / sqrt(gd)", "z / d", false, false, {}, std::nullopt, "bottom right"};
   const std::vector<double> y = surface_profile(solution, space).y;
@@ -95,7 +95,7 @@ io::Panel profiles(const SectionSolution& solution, const flow::CrossSection<2>&
   return panel;
 }
 
-io::Figure figure(const SectionSolution& solution, const flow::CrossSection<2>& space) {
+io::Figure figure(const SectionSolution& solution, const shear::CrossSection<2>& space) {
   const SurfaceProfile surface = surface_profile(solution, space);
   io::Panel velocity{"velocity at the surface", "y / d", "u / sqrt(gd)", false, false, {}};
   velocity.curves = {{"", surface.y, surface.velocity, io::Style::line}};

@@ -11,24 +11,24 @@
 namespace talus::twod {
 
 /// summary.json without the parameters.
-nlohmann::json summary(const SectionSolution& solution, const flow::CrossSection<2>& space);
+nlohmann::json summary(const SectionSolution& solution, const shear::CrossSection<2>& space);
 
 /// What each mesh took, one line each; none if there was only one.
 std::string mesh_lines(const SectionSolution& solution);
 
 /// y, surface velocity, depths of the flowing layer.
-io::Table surface_table(const SectionSolution& solution, const flow::CrossSection<2>& space);
+io::Table surface_table(const SectionSolution& solution, const shear::CrossSection<2>& space);
 
 /// Velocity at the points; shear rate, I, pressure, stress and stress over μs p on the cells
 /// (means).
-io::QuadraticGrid grid(const SectionSolution& solution, const flow::CrossSection<2>& space);
+io::QuadraticGrid grid(const SectionSolution& solution, const shear::CrossSection<2>& space);
 
 /// Velocity over the height at four places across (the paper's Fig. 11).
-io::Panel profiles(const SectionSolution& solution, const flow::CrossSection<2>& space,
+io::Panel profiles(const SectionSolution& solution, const shear::CrossSection<2>& space,
                    const std::string& title);
 
 /// Surface velocity, depths (the paper's Fig. 10) and velocity profiles below the surface (Fig.
 /// 11).
-io::Figure figure(const SectionSolution& solution, const flow::CrossSection<2>& space);
+io::Figure figure(const SectionSolution& solution, const shear::CrossSection<2>& space);
 
 }  // namespace talus::twod

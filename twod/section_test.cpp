@@ -3,7 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "common/flow/jacobian_problems.hpp"
+#include "common/shear/shear_jacobian.hpp"
 #include "twod/section_report.hpp"
 
 using namespace talus;
@@ -13,7 +13,7 @@ namespace {
 
 constexpr Wall both_walls[] = {Wall::no_slip, Wall::friction};
 
-double rate(const SectionMesh& mesh, double angle, const flow::ShearOptions& options,
+double rate(const SectionMesh& mesh, double angle, const shear::ShearOptions& options,
             Wall wall = Wall::no_slip) {
   Section section;
   section.angle = angle;
@@ -70,9 +70,9 @@ BOOST_AUTO_TEST_CASE(newton_s_own_tangent_from_rest_does_not_reach_what_the_prim
   Section section;
   section.angle = 0.5;
   auto space = space_of(section, {14, 20, 3, 3});
-  flow::ShearOptions plain = newton_options(1e-5);
-  plain.tangent_term = flow::TangentTerm::full;
-  plain.continuation = flow::Continuation::never;
+  shear::ShearOptions plain = newton_options(1e-5);
+  plain.tangent_term = shear::TangentTerm::full;
+  plain.continuation = shear::Continuation::never;
   const auto solution = twod::solve(section, space, plain);
   BOOST_TEST((!solve::is_success(solution.end) || solution.iterations() > 35));
 }
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(the_wall_slips_only_where_its_stress_reaches_the_largest_fr
 
 BOOST_AUTO_TEST_CASE(a_wall_with_friction_that_nowhere_slips_is_one_without_slip) {
   // Just above the onset only the middle of the channel flows.
-  flow::ShearOptions options = default_options();
+  shear::ShearOptions options = default_options();
   options.interior_point.tolerance = 1e-10;
   const double held = rate({14, 20}, 0.37, options);
   BOOST_TEST(held > 0.1);
@@ -205,12 +205,12 @@ BOOST_AUTO_TEST_CASE(every_tangent_is_the_derivative_of_its_residual) {
     section.wall = wall;
     auto space = space_of(section, {2, 3});
     for (const auto& regularisation : rheology::regularisations()) {
-      flow::ShearOptions options = newton_options(1e-4);
+      shear::ShearOptions options = newton_options(1e-4);
       options.regularisation = regularisation;
-      for (const auto& named : flow::check_jacobian(space, load_of(section), options))
+      for (const auto& named : shear::check_jacobian(space, load_of(section), options))
         BOOST_TEST(named.check.passed(), rheology::name_of(regularisation) << ", " << named.state);
     }
-    for (const auto& named : flow::check_jacobian(space, load_of(section), default_options()))
+    for (const auto& named : shear::check_jacobian(space, load_of(section), default_options()))
       BOOST_TEST(named.check.passed(), "interior point, " << named.state);
   }
 }
@@ -218,10 +218,10 @@ BOOST_AUTO_TEST_CASE(every_tangent_is_the_derivative_of_its_residual) {
 BOOST_AUTO_TEST_CASE(a_tangent_without_the_viscosity_s_derivative_is_caught) {
   Section section;
   auto space = space_of(section, {3, 4});
-  for (const auto term : {flow::TangentTerm::frozen, flow::TangentTerm::wrong_sign}) {
-    flow::ShearOptions options = newton_options(1e-4);
+  for (const auto term : {shear::TangentTerm::frozen, shear::TangentTerm::wrong_sign}) {
+    shear::ShearOptions options = newton_options(1e-4);
     options.tangent_term = term;
-    BOOST_CHECK(flow::check_jacobian(space, load_of(section), options).back().check.verdict() ==
+    BOOST_CHECK(shear::check_jacobian(space, load_of(section), options).back().check.verdict() ==
                 solve::Verdict::wrong);
   }
 }
@@ -231,8 +231,8 @@ BOOST_AUTO_TEST_CASE(the_elimination_solves_the_linearised_optimality_system) {
   Section section;
   auto space = space_of(section, {3, 4});
   const auto load = load_of(section);
-  flow::InteriorPoint<2> problem(space, load.law, load.pressure, load.body_force);
-  BOOST_TEST(flow::elimination_error(problem, problem.start()) < 1e-12);
+  shear::InteriorPoint<2> problem(space, load.law, load.pressure, load.body_force);
+  BOOST_TEST(shear::elimination_error(problem, problem.start()) < 1e-12);
 }
 
 BOOST_AUTO_TEST_CASE(the_grid_lists_every_cell_with_its_nine_nodes_and_all_fields) {

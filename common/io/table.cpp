@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <cstdlib>
 #include <iomanip>
+#include <limits>
 #include <ostream>
 
 namespace talus::io {
@@ -12,6 +14,12 @@ std::string exact(double value) {
   char text[32];
   const auto result = std::to_chars(text, text + sizeof text, value);
   return {text, result.ptr};
+}
+
+double number_in(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return end != text.c_str() && *end == 0 ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::string rounded(double value, int digits) {

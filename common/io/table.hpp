@@ -15,6 +15,9 @@ struct Table {
 
 /// The shortest text that reads back as the same double; "nan" and "inf" as such.
 std::string exact(double value);
+/// The double that such a text stands for, the smallest too, at which std::stod throws; NaN if it
+/// stands for none.
+double number_in(const std::string& text);
 /// With so many significant digits, trailing zeros dropped.
 std::string rounded(double value, int digits = 4);
 /// With so many decimals.

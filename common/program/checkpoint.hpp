@@ -18,7 +18,7 @@ namespace talus::program {
 struct Checkpoint {
   nlohmann::json notes;  ///< the program's own: its parameters, how far it is
   solve::PathStart<solve::CompensatedVector> start;
-  std::vector<double> carried_stress = {};  ///< DenseFlow::carried_stress(), if it carries one
+  std::vector<double> carried_stress = {};  ///< MixedFlow::carried_stress(), if it carries one
 };
 
 /// Written whole or not at all: a line with a checksum (FNV-1a, 64 bits) of all that follows, a

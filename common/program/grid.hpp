@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "common/flow/mesh.hpp"
+#include "common/fem/mesh.hpp"
 #include "common/io/vtu.hpp"
 
 namespace talus::program {
@@ -11,7 +11,7 @@ namespace talus::program {
 /// Points and cells of the mesh, fields still to come; coordinate d of the mesh is drawn along
 /// axes[d] of space (0 = x, 1 = y, 2 = z).
 template <int Dim>
-io::Grid<Dim> grid_of(const flow::Mesh<Dim>& mesh, const std::array<std::size_t, Dim>& axes) {
+io::Grid<Dim> grid_of(const fem::Mesh<Dim>& mesh, const std::array<std::size_t, Dim>& axes) {
   io::Grid<Dim> grid;
   grid.points.reserve(mesh.nodes.size());
   for (const auto& node : mesh.nodes) {

@@ -28,11 +28,11 @@ void add_tangent(CLI::App& app, std::string& tangent) {
       {"primal-dual", "full", "frozen", "wrong-sign"});
 }
 
-flow::TangentTerm tangent_named(const std::string& tangent) {
-  return tangent == "primal-dual" ? flow::TangentTerm::primal_dual
-         : tangent == "full"      ? flow::TangentTerm::full
-         : tangent == "frozen"    ? flow::TangentTerm::frozen
-                                  : flow::TangentTerm::wrong_sign;
+shear::TangentTerm tangent_named(const std::string& tangent) {
+  return tangent == "primal-dual" ? shear::TangentTerm::primal_dual
+         : tangent == "full"      ? shear::TangentTerm::full
+         : tangent == "frozen"    ? shear::TangentTerm::frozen
+                                  : shear::TangentTerm::wrong_sign;
 }
 
 void add_threads(CLI::App& app, int& threads) {
@@ -68,12 +68,13 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
                "Newton at lambda_r directly and only: no way down from a larger one");
 }
 
-flow::ShearOptions shear_options(const MethodOptions& options, flow::ShearOptions defaults) {
-  flow::ShearOptions result = std::move(defaults);
-  result.method = options.method == "newton" ? flow::Method::newton : flow::Method::interior_point;
+shear::ShearOptions shear_options(const MethodOptions& options, shear::ShearOptions defaults) {
+  shear::ShearOptions result = std::move(defaults);
+  result.method =
+      options.method == "newton" ? shear::Method::newton : shear::Method::interior_point;
   result.regularisation = *rheology::regularisation_named(options.regularisation);
   result.lambda_r = options.lambda_r;
-  if (options.no_continuation) result.continuation = flow::Continuation::never;
+  if (options.no_continuation) result.continuation = shear::Continuation::never;
   result.precision =
       options.precision == "plain" ? solve::Precision::plain : solve::Precision::compensated;
   result.newton.line_search =
@@ -100,9 +101,9 @@ std::vector<io::Use> used_options(const MethodOptions& options, bool checks_jaco
 }
 
 rheology::Regularisation limiting_law(const MethodOptions& options) {
-  const flow::ShearOptions resolved = shear_options(options);
-  return resolved.method == flow::Method::newton ? resolved.regularisation
-                                                 : rheology::ChauchatMedale{};
+  const shear::ShearOptions resolved = shear_options(options);
+  return resolved.method == shear::Method::newton ? resolved.regularisation
+                                                  : rheology::ChauchatMedale{};
 }
 
 rheology::FrictionLaw friction_law(const MethodOptions& options) {

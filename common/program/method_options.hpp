@@ -6,8 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "common/flow/shear_solver.hpp"
 #include "common/io/command_line.hpp"
+#include "common/shear/shear_solver.hpp"
 
 namespace talus::program {
 
@@ -32,13 +32,13 @@ void add_friction(CLI::App& app, std::string& friction);
 
 /// Adds --tangent; what its value means.
 void add_tangent(CLI::App& app, std::string& tangent);
-flow::TangentTerm tangent_named(const std::string& tangent);
+shear::TangentTerm tangent_named(const std::string& tangent);
 
 /// Adds --threads, with all of the machine as its default; for solve::set_threads.
 void add_threads(CLI::App& app, int& threads);
 
 /// `defaults` for what the command line does not say.
-flow::ShearOptions shear_options(const MethodOptions& options, flow::ShearOptions defaults = {});
+shear::ShearOptions shear_options(const MethodOptions& options, shear::ShearOptions defaults = {});
 
 /// Which of these options a run uses, for io::refuse_unused. The interior point solves eq. (4)
 /// itself, whatever the regularisation; --check-jacobian solves and writes nothing.

@@ -16,15 +16,15 @@ void add_penalty(CLI::App& app, PenaltyOptions& options) {
       ->default_str("");
 }
 
-flow::PenaltyOptions penalty_of(const PenaltyOptions& options) {
-  flow::PenaltyOptions penalty;
-  if (options.kind == "plain") penalty = {flow::Penalty::plain, options.plain};
+mixed::PenaltyOptions penalty_of(const PenaltyOptions& options) {
+  mixed::PenaltyOptions penalty;
+  if (options.kind == "plain") penalty = {mixed::Penalty::plain, options.plain};
   if (options.lambda_p > 0) penalty.lambda_p = options.lambda_p;
   return penalty;
 }
 
-nlohmann::json as_json(const flow::PenaltyOptions& penalty) {
-  return {{"penalty", penalty.kind == flow::Penalty::plain ? "plain" : "iterated"},
+nlohmann::json as_json(const mixed::PenaltyOptions& penalty) {
+  return {{"penalty", penalty.kind == mixed::Penalty::plain ? "plain" : "iterated"},
           {"lambda_p", penalty.lambda_p}};
 }
 

@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "common/flow/dense_flow.hpp"
+#include "common/mixed/mixed_flow.hpp"
 
 namespace talus::program {
 
@@ -20,9 +20,9 @@ struct PenaltyOptions {
 /// Adds --penalty and --lambda-p; set the scene's `plain` first.
 void add_penalty(CLI::App& app, PenaltyOptions& options);
 
-flow::PenaltyOptions penalty_of(const PenaltyOptions& options);
+mixed::PenaltyOptions penalty_of(const PenaltyOptions& options);
 
 /// penalty and lambda_p.
-nlohmann::json as_json(const flow::PenaltyOptions& penalty);
+nlohmann::json as_json(const mixed::PenaltyOptions& penalty);
 
 }  // namespace talus::program

@@ -22,7 +22,7 @@ json newton_as_json(const solve::ContinuationSummary& newton) {
           {"continuation", path}};
 }
 
-json interior_point_as_json(const flow::InteriorPointSummary& summary) {
+json interior_point_as_json(const shear::InteriorPointSummary& summary) {
   return {{"factorisations", summary.factorisations()},
           {"relative_gap", summary.relative_gap()},
           {"round_off", summary.last_good.round_off},
@@ -40,8 +40,8 @@ json as_json(const rheology::FrictionLaw& law) {
           {"grain_size", law.grain_size}};
 }
 
-json as_json(const flow::ShearOptions& options) {
-  if (options.method == flow::Method::interior_point)
+json as_json(const shear::ShearOptions& options) {
+  if (options.method == shear::Method::interior_point)
     return {{"method", "interior-point"}, {"tolerance", options.interior_point.tolerance}};
   return {{"method", "newton"},
           {"regularisation", rheology::name_of(options.regularisation)},
@@ -50,7 +50,7 @@ json as_json(const flow::ShearOptions& options) {
           {"precision", options.precision == solve::Precision::plain ? "plain" : "compensated"}};
 }
 
-void add_outcome(json& summary, const flow::ShearSolution& solution) {
+void add_outcome(json& summary, const shear::ShearSolution& solution) {
   summary["status"] = solve::name_of(solution.end);
   if (solution.is_of_newton())
     summary["newton"] = newton_as_json(solution.newton);
@@ -60,7 +60,7 @@ void add_outcome(json& summary, const flow::ShearSolution& solution) {
   summary["seconds"] = solution.seconds;
 }
 
-io::Table iteration_table(const flow::ShearSolution& solution) {
+io::Table iteration_table(const shear::ShearSolution& solution) {
   io::Table table;
   if (solution.is_of_newton()) {
     table.header = {"iteration", "residual", "round_off_floor", "step", "evaluations"};
@@ -80,7 +80,7 @@ io::Table iteration_table(const flow::ShearSolution& solution) {
   return table;
 }
 
-std::string iteration_file(const flow::ShearSolution& solution) {
+std::string iteration_file(const shear::ShearSolution& solution) {
   return solution.is_of_newton() ? "newton.csv" : "interior_point.csv";
 }
 
@@ -90,9 +90,9 @@ double peak_memory() {
   return static_cast<double>(usage.ru_maxrss) * 1024 / 1e6;  // from KiB
 }
 
-int report(const std::string& scene, const std::vector<flow::NamedCheck>& checks) {
+int report(const std::string& scene, const std::vector<solve::NamedCheck>& checks) {
   solve::Verdict verdict = checks.empty() ? solve::Verdict::not_tested : solve::Verdict::right;
-  for (const flow::NamedCheck& named : checks) {
+  for (const solve::NamedCheck& named : checks) {
     std::cout << "Jacobian check of " << scene << ", state: " << named.state << '\n';
     solve::print(std::cout, named.check);
     verdict = std::max(verdict, named.check.verdict());
@@ -105,7 +105,7 @@ int report(const std::string& scene, const std::vector<flow::NamedCheck>& checks
   return passed ? 0 : 1;
 }
 
-std::string outcome_line(const flow::ShearSolution& solution) {
+std::string outcome_line(const shear::ShearSolution& solution) {
   const std::string count =
       solve::name_of(solution.end) + " after " + std::to_string(solution.iterations());
   if (!solution.is_of_newton())

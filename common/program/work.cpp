@@ -19,8 +19,8 @@ struct Rates {
 };
 constexpr Rates newton_section{7.2e3, 12, 6e-6, 5e9};
 constexpr Rates interior_point_section{9.2e3, 12, 6e-6, 5e9};
-constexpr Rates dense_plane{7e3, 18, 3e-5, 6e9};
-constexpr Rates dense_space{6e4, 18, 1.7e-4, 1.2e10};
+constexpr Rates mixed_plane{7e3, 18, 3e-5, 6e9};
+constexpr Rates mixed_space{6e4, 18, 1.7e-4, 1.2e10};
 
 Work work_of(const Rates& rates, double elements, const solve::FactorSize& factors,
              int factorisations) {
@@ -54,12 +54,12 @@ Work section_work(const std::array<int, 2>& elements, bool is_interior_point, in
                  solve::nested_dissection({elements[0], elements[1], 0}, 1), factorisations);
 }
 
-Work dense_work(const std::array<int, 3>& elements, double unknowns_per_node, int factorisations) {
+Work mixed_work(const std::array<int, 3>& elements, double unknowns_per_node, int factorisations) {
   solve::FactorSize factors = solve::nested_dissection(elements, unknowns_per_node);
   factors.entries *= 2;  // L and U
   factors.operations *= 2;
   const bool is_plane = elements[2] == 0;
-  return work_of(is_plane ? dense_plane : dense_space,
+  return work_of(is_plane ? mixed_plane : mixed_space,
                  1. * elements[0] * elements[1] * (is_plane ? 1 : elements[2]), factors,
                  factorisations);
 }

@@ -23,7 +23,7 @@ struct Work {
 Work section_work(const std::array<int, 2>& elements, bool is_interior_point, int factorisations);
 
 /// Velocity-pressure flow on a box of so many elements along its axes, the last 0 in the plane.
-Work dense_work(const std::array<int, 3>& elements, double unknowns_per_node, int factorisations);
+Work mixed_work(const std::array<int, 3>& elements, double unknowns_per_node, int factorisations);
 
 /// The value of an option and the work it leads to.
 struct Task {

@@ -6,9 +6,9 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "common/flow/cross_section.hpp"
-#include "common/flow/dense_flow.hpp"
 #include "common/io/result_folder.hpp"
+#include "common/mixed/mixed_flow.hpp"
+#include "common/shear/cross_section.hpp"
 #include "common/solve/memory.hpp"
 #include "common/solve/nested_dissection.hpp"
 
@@ -25,27 +25,27 @@ std::vector<double> line(int elements) {
 
 // Entries of the factors of a cross-section of elements: those there are, over those estimated.
 double section_ratio(int across, int up) {
-  const flow::CrossSection<2> space(flow::rectangle_mesh(
+  const shear::CrossSection<2> space(fem::rectangle_mesh(
       line(across), line(up), [](const Eigen::Vector2d& x) { return x[1] == 0; }));
   return space.factor_entries() / solve::nested_dissection({across, up, 0}, 1).entries;
 }
 
 // The same of velocity-pressure flow, all sides but one free.
 template <int Dim>
-double dense_ratio(const std::array<int, 3>& elements) {
-  flow::Mesh<Dim> mesh = [&] {
+double mixed_ratio(const std::array<int, 3>& elements) {
+  fem::Mesh<Dim> mesh = [&] {
     if constexpr (Dim == 2)
-      return flow::tensor_mesh<2>({line(elements[0]), line(elements[1])});
+      return fem::tensor_mesh<2>({line(elements[0]), line(elements[1])});
     else
-      return flow::box_mesh(line(elements[0]), line(elements[1]), line(elements[2]));
+      return fem::box_mesh(line(elements[0]), line(elements[1]), line(elements[2]));
   }();
-  flow::BoundaryConditions<Dim> conditions;
+  mixed::BoundaryConditions<Dim> conditions;
   for (const auto& [name, faces] : mesh.boundaries) conditions[name] = {};
-  conditions["bottom"] = flow::no_slip<Dim>();
-  const flow::DenseSpace<Dim> space(std::move(mesh), conditions);
-  flow::DenseFlow<Dim> problem(
+  conditions["bottom"] = mixed::no_slip<Dim>();
+  const mixed::MixedSpace<Dim> space(std::move(mesh), conditions);
+  mixed::MixedFlow<Dim> problem(
       space, {{}, rheology::ChauchatMedale{}, 1e-2},
-      {[](const auto&) { return 1.0; }, [](const auto&) { return flow::Point<Dim>::Ones(); }});
+      {[](const auto&) { return 1.0; }, [](const auto&) { return fem::Point<Dim>::Ones(); }});
   problem.evaluate(space.start());
   solve::CompensatedVector x;
   BOOST_REQUIRE(problem.linear_solve(Eigen::VectorXd::Zero(space.size()), x));
@@ -90,22 +90,22 @@ BOOST_AUTO_TEST_CASE(factors_are_as_large_as_estimated_to_a_third) {
   is_near(section_ratio(20, 28), "20x28");
   is_near(section_ratio(70, 100), "70x100");
   is_near(section_ratio(12, 200), "12x200");
-  is_near(dense_ratio<2>({24, 32, 0}), "plane");
-  is_near(dense_ratio<3>({1, 14, 20}), "layer");
-  is_near(dense_ratio<3>({5, 5, 5}), "cube");
+  is_near(mixed_ratio<2>({24, 32, 0}), "plane");
+  is_near(mixed_ratio<3>({1, 14, 20}), "layer");
+  is_near(mixed_ratio<3>({5, 5, 5}), "cube");
   BOOST_TEST(section_ratio(70, 100) / section_ratio(20, 28) < 1.3);  // the growth is right too
 }
 
 BOOST_AUTO_TEST_CASE(a_cube_costs_more_than_a_layer_of_as_many_elements) {
-  const Work layer = dense_work({1, 50, 160}, 3, 1), cube = dense_work({20, 20, 20}, 3, 1);
+  const Work layer = mixed_work({1, 50, 160}, 3, 1), cube = mixed_work({20, 20, 20}, 3, 1);
   BOOST_TEST(cube.bytes > 2 * layer.bytes);
   BOOST_TEST(cube.seconds > 5 * layer.seconds);
-  BOOST_TEST(dense_work({20, 20, 20}, 3, 7).seconds == 7 * cube.seconds);
+  BOOST_TEST(mixed_work({20, 20, 20}, 3, 7).seconds == 7 * cube.seconds);
 }
 
 BOOST_AUTO_TEST_CASE(nothing_overflows_however_much_is_asked_for) {
   BOOST_TEST(section_work({100000, 100000}, true, 30).bytes > 9e13);
-  BOOST_TEST(dense_work({100000, 100000, 100000}, 3, 30).bytes > 6e19);
+  BOOST_TEST(mixed_work({100000, 100000, 100000}, 3, 30).bytes > 6e19);
 }
 
 BOOST_AUTO_TEST_CASE(what_fits_and_is_quick_begins_without_a_word) {

@@ -9,6 +9,18 @@
 
 namespace talus::rheology {
 
+/// What the law makes of a shear rate and a total pressure: everything that is asked of a point.
+struct LocalState {
+  double shear_rate = 0, total_pressure = 0;
+  double regularised_pressure = 0;  ///< p_regu, eq. (16)
+  double viscosity = 0;
+  double inertial_number = 0;
+  double well_posedness = 0;  ///< C of the limiting law: ill-posed where it is positive
+  bool has_yielded = false;   ///< |τ| > μs p_regu
+
+  double stress() const { return viscosity * shear_rate; }  ///< |τ|
+};
+
 /// Make a new one for another friction law: the regularisation is made ready for it once, here.
 struct Rheology {
   FrictionLaw law;
@@ -31,14 +43,26 @@ struct Rheology {
   }
 
   /// η(|γ|, p_regu(p_tot)) of eq. (9)-(12) with eq. (16), derivatives with respect to |γ| and
-  /// p_tot.
-  Viscosity evaluate(double shear_rate, double total_pressure) const {
-    const RegularisedPressure p = regularised_pressure(total_pressure);
-    Viscosity v = std::visit(
-        [&](const auto& kind) { return kind.evaluate(law, lambda_r, shear_rate, p.value); },
-        regularisation);
+  /// p_tot. Every viscosity comes from here; a loop over points visits its `kind` once.
+  template <class Kind>
+  Viscosity evaluate(const Kind& kind, double shear_rate, const RegularisedPressure& p) const {
+    Viscosity v = kind.evaluate(law, lambda_r, shear_rate, p.value);
     v.d_eta_d_pressure *= p.derivative;
     return v;
+  }
+  Viscosity evaluate(double shear_rate, double total_pressure) const {
+    const RegularisedPressure p = regularised_pressure(total_pressure);
+    return std::visit([&](const auto& kind) { return evaluate(kind, shear_rate, p); },
+                      regularisation);
+  }
+  LocalState local_state(double shear_rate, double total_pressure) const {
+    LocalState at{shear_rate, total_pressure};
+    at.regularised_pressure = regularised_pressure(total_pressure).value;
+    at.viscosity = evaluate(shear_rate, total_pressure).eta;
+    at.inertial_number = law.inertial_number(shear_rate, at.regularised_pressure);
+    at.well_posedness = well_posedness(at.inertial_number);
+    at.has_yielded = at.stress() > law.mu_s * at.regularised_pressure;
+    return at;
   }
 
   // The friction law that the regularised one tends to as λr → 0: eq. (4) unless it says otherwise.

@@ -11,10 +11,10 @@ void add_cylinder_cost(Chapter& chapter, const Context& context);
 void add_section_cost(Chapter& chapter, const Context& context);
 
 /// What an element of velocity-pressure flow costs, part by part, and a Newton step with it.
-void dense_kernel_costs(Chapter& chapter, const Context& context);
+void mixed_kernel_costs(Chapter& chapter, const Context& context);
 
 /// Error against time in 3D for every way to solve the linear systems.
-void dense_work(Chapter& chapter, const Context& context);
+void mixed_work(Chapter& chapter, const Context& context);
 
 /// A whole program, from process start to its files, on the wall.
 void add_program_cost(Chapter& chapter);

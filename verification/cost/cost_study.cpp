@@ -38,7 +38,7 @@ std::vector<NamedMethod> compared_methods() {
     for (NamedMethod method : newton_methods(lambda_r)) {
       method.label += ", λr " + short_power(lambda_r);
       // On the finest meshes a few need the way down in λr; it is part of what they cost.
-      method.options.continuation = flow::Continuation::on_failure;
+      method.options.continuation = shear::Continuation::on_failure;
       methods.push_back(method);
     }
   methods.push_back(reference_method());
@@ -150,13 +150,13 @@ void kernel_speed(Chapter& chapter) {
           double seconds;
           int iterations;
           if (method.options.method == oned::Method::newton) {
-            auto problem = flow::regularised_problem(space, load, method.options);
+            auto problem = shear::regularised_problem(space, load, method.options);
             solve::CompensatedVector w(space.node_count());
             const solve::Stopwatch watch;
             iterations = solve::newton(problem, w, method.options.newton).iterations();
             seconds = watch.seconds();
           } else {
-            auto problem = flow::InteriorPoint<1>(space, load.law, load.pressure, load.body_force);
+            auto problem = shear::InteriorPoint<1>(space, load.law, load.pressure, load.body_force);
             auto state = problem.start();
             const solve::Stopwatch watch;
             iterations = problem.solve(state, method.options.interior_point).factorisations();
@@ -251,8 +251,8 @@ Chapter cost_study(const Context& context) {
   precision_cost(chapter);
   kernel_speed(chapter);
   add_program_cost(chapter);
-  dense_kernel_costs(chapter, context);
-  dense_work(chapter, context);
+  mixed_kernel_costs(chapter, context);
+  mixed_work(chapter, context);
   context.progress(0.75);
   add_section_cost(chapter, context);
   context.progress(0.85);

@@ -19,7 +19,7 @@ struct Family {
   std::vector<int> arounds;
   double layer = 1;  // first layer, over the default of 3.2/around
   bool full = false;
-  flow::PenaltyOptions penalty = {};
+  mixed::PenaltyOptions penalty = {};
 };
 
 std::vector<Family> families(const Context& context) {
@@ -33,7 +33,7 @@ std::vector<Family> families(const Context& context) {
   return {{"half", arounds},
           {"thin first layer", thin, 0.1},
           {"full", full, 1, true},
-          {"plain penalty, 1e-8", few, 1, false, {flow::Penalty::plain, 1e-8}}};
+          {"plain penalty, 1e-8", few, 1, false, {mixed::Penalty::plain, 1e-8}}};
 }
 
 // Extrapolates three values on meshes that are halved each time.
@@ -170,8 +170,8 @@ void penalties(Chapter& chapter) {
       "iterated (div u = 0, λp only conditions the solves)",
       {"penalty", "λp", "drag", "relative error", "projected div u", "factorisations", "CPU s"},
       {}};
-  for (const auto kind : {flow::Penalty::plain, flow::Penalty::iterated}) {
-    const bool is_plain = kind == flow::Penalty::plain;
+  for (const auto kind : {mixed::Penalty::plain, mixed::Penalty::iterated}) {
+    const bool is_plain = kind == mixed::Penalty::plain;
     io::Curve errors{is_plain ? "plain" : "iterated", {}, {}}, iterations = errors,
                                                                seconds = errors;
     double largest = 0;

@@ -16,7 +16,7 @@ constexpr double limit_rate = 82.495;
 
 struct Method {
   std::string label;
-  flow::ShearOptions options;
+  shear::ShearOptions options;
 };
 
 std::vector<Method> methods() {
@@ -76,9 +76,9 @@ void add_section_cost(Chapter& chapter, const Context& context) {
         curves.push_back({method.label + (grading > 1 ? ", graded" : ", uniform"), {}, {}});
       for (const int across : acrosses)
         for (std::size_t i = 0; i < all_methods.size(); ++i) {
-          const flow::ShearOptions& options = all_methods[i].options;
+          const shear::ShearOptions& options = all_methods[i].options;
           // The finest one for what the other is measured against.
-          if (across > 70 && options.method != flow::Method::interior_point) continue;
+          if (across > 70 && options.method != shear::Method::interior_point) continue;
           auto space = twod::space_of(section, {across, (across * 10 + 6) / 7, grading, grading});
           const auto solution = twod::solve(section, space, options);
           failures += solve::is_success(solution.end) ? 0 : 1;

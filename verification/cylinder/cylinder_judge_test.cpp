@@ -228,10 +228,10 @@ BOOST_AUTO_TEST_CASE(a_penalty_that_does_not_arrive_or_moves_the_drag_is_told) {
                              const Followed& plain) {
     return judged(judge_penalties, PenaltyPaths{control,
                                                 usual,
-                                                {{{flow::Penalty::iterated, 1e-4}, right},
-                                                 {{flow::Penalty::iterated, 1e-8}, iterated},
-                                                 {{flow::Penalty::iterated, 1e-12}, plain},
-                                                 {{flow::Penalty::plain, 1e-4}, plain}}});
+                                                {{{mixed::Penalty::iterated, 1e-4}, right},
+                                                 {{mixed::Penalty::iterated, 1e-8}, iterated},
+                                                 {{mixed::Penalty::iterated, 1e-12}, plain},
+                                                 {{mixed::Penalty::plain, 1e-4}, plain}}});
   };
   const Followed stopped = path(right.measures, solve::PathEnd::step_too_small);
   holds(penalties(right, right, right), "every path arrived; the iterated penalty leaves");
@@ -245,7 +245,7 @@ BOOST_AUTO_TEST_CASE(a_penalty_that_does_not_arrive_or_moves_the_drag_is_told) {
     fails(penalties(f, right, right), told, "the usual one");
   }
   const Followed resting = path({at_rest(0.052)});
-  PenaltyPaths all_rest{control, resting, {{{flow::Penalty::iterated, 1e-4}, resting}}};
+  PenaltyPaths all_rest{control, resting, {{{mixed::Penalty::iterated, 1e-4}, resting}}};
   fails(judged(judge_penalties, all_rest), told, "all at rest");
   fails(judged(judge_penalties, PenaltyPaths{control, right, {}}), told, "none tried");
 }

@@ -54,7 +54,7 @@ Creep creep_at(const twod::Cylinder& scene, double loading) {
   twod::CylinderFlow cylinder(scene);
   twod::CylinderFlow::State state;
   // With an open outlet there are several flows: the one that arclength leads to is compared.
-  const bool is_open = scene.open_outlet != flow::Open::no;
+  const bool is_open = scene.open_outlet != mixed::Open::no;
   solve::End end =
       is_open ? solve::End::stagnated : twod::solve_creep(cylinder, loading, state).end;
   if (!solve::is_success(end)) {

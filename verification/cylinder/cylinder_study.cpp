@@ -61,15 +61,15 @@ void outlets(Chapter& chapter) {
   std::vector<OutletPair> pairs;
   for (const double outlet : {15.0, 8.0, 5.0}) {
     scene.mesh.outlet = outlet;
-    scene.open_outlet = flow::Open::no;
+    scene.open_outlet = mixed::Open::no;
     const Creep developed = creep_at(scene, 0.044);
-    scene.open_outlet = flow::Open::viscous;
+    scene.open_outlet = mixed::Open::viscous;
     const Creep open = creep_at(scene, 0.044);
     table.rows.push_back(row_of("developed at " + io::rounded(outlet), developed));
     table.rows.push_back(row_of("open at " + io::rounded(outlet), open));
     pairs.push_back({outlet, developed, open});
   }
-  scene.open_outlet = flow::Open::all;
+  scene.open_outlet = mixed::Open::all;
   scene.lambda_r = 0.1;
   const Creep all = creep_at(scene, 0.044);
   table.rows.push_back(row_of("open with its pressure, λr = 0.1", all));

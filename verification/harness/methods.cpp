@@ -19,7 +19,7 @@ NamedMethod newton_method(const rheology::Regularisation& regularisation, double
   NamedMethod method{rheology::name_of(regularisation), {}};
   method.options.regularisation = regularisation;
   method.options.lambda_r = lambda_r;
-  method.options.continuation = flow::Continuation::never;
+  method.options.continuation = shear::Continuation::never;
   return method;
 }
 

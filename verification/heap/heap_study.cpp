@@ -29,7 +29,7 @@ struct Rate {
   double seconds = 0;
 };
 
-Rate rate(const SectionMesh& mesh, double angle, const flow::ShearOptions& options,
+Rate rate(const SectionMesh& mesh, double angle, const shear::ShearOptions& options,
           twod::Wall wall = twod::Wall::no_slip) {
   Section section;
   section.angle = angle;
@@ -130,7 +130,7 @@ void lambda_error(Chapter& chapter) {
     if (!rheology::has_yield_stress(regularisation)) continue;
     io::Curve curve{rheology::name_of(regularisation), {}, {}};
     for (const double lambda_r : {1e-3, 1e-4, 1e-5, 1e-6}) {
-      flow::ShearOptions options = twod::newton_options(lambda_r);
+      shear::ShearOptions options = twod::newton_options(lambda_r);
       options.regularisation = regularisation;
       curve.x.push_back(lambda_r);
       curve.y.push_back(rate(mesh, studied_angle, options).value / exact - 1);
@@ -152,7 +152,7 @@ void work(Chapter& chapter, const Context& context) {
   io::Figure figure{"heap_work", "Factorisations from rest over the inclination.", {}, 2};
   struct Way {
     std::string label;
-    flow::ShearOptions options;
+    shear::ShearOptions options;
     int most;  // factorisations allowed
   };
   const std::vector<Way> ways = {{"interior point", twod::default_options(), 60},

@@ -6,6 +6,6 @@
 namespace talus::verification {
 
 /// The tangent of every law at every state, and broken ones.
-void check_dense_tangents(Chapter& chapter);
+void check_mixed_tangents(Chapter& chapter);
 
 }  // namespace talus::verification

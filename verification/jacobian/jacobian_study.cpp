@@ -2,8 +2,8 @@
 #include <functional>
 #include <limits>
 
-#include "common/flow/law_check.hpp"
-#include "common/flow/shear_solver.hpp"
+#include "common/shear/law_check.hpp"
+#include "common/shear/shear_solver.hpp"
 #include "common/solve/extremes.hpp"
 #include "twod/section.hpp"
 #include "verification/harness/chapter.hpp"
@@ -41,9 +41,9 @@ void check_the_law(Chapter& chapter) {
                        "top left"};
   for (const auto& regularisation : rheology::regularisations())
     for (const double lambda_r : {1e-2, 1e-6, 1e-10})
-      for (const flow::LawState& state : flow::law_states({{}, regularisation, lambda_r}, 28)) {
+      for (const shear::LawState& state : shear::law_states({{}, regularisation, lambda_r}, 28)) {
         const rheology::Rheology law{{}, regularisation, lambda_r};
-        const solve::JacobianCheck check = solve::check_jacobian(flow::law_problem(law, {state}));
+        const solve::JacobianCheck check = solve::check_jacobian(shear::law_problem(law, {state}));
         const solve::TaylorTest &all = check.blocks[0], &rate = check.blocks[1],
                                 &pressure = check.blocks[2];
         table.rows.push_back({rheology::name_of(regularisation), short_power(lambda_r), state.name,
@@ -95,7 +95,7 @@ std::vector<CheckedScene> checked_scenes() {
                      twod::Section section;
                      section.wall = wall;
                      auto space = twod::space_of(section, {2, 2});
-                     return flow::check_jacobian(space, twod::load_of(section), options);
+                     return shear::check_jacobian(space, twod::load_of(section), options);
                    }});
   return all;
 }
@@ -133,7 +133,7 @@ void check_the_scenes(Chapter& chapter, const Context& context) {
           scene.name + ", " + method.label + ", λr " + lambda_r + ": every block, entry and system",
           verdict == solve::Verdict::right ? 1 : 0, 1, 1);
       if (is_newton)
-        for (const auto term : {flow::TangentTerm::frozen, flow::TangentTerm::wrong_sign}) {
+        for (const auto term : {shear::TangentTerm::frozen, shear::TangentTerm::wrong_sign}) {
           oned::SolveOptions broken = method.options;
           broken.tangent_term = term;
           if (scene.check(broken).back().check.verdict() != solve::Verdict::wrong) ++not_caught;
@@ -165,7 +165,7 @@ Chapter jacobian_study(const Context& context) {
       "not tested, and does not pass.");
   check_the_law(chapter);
   check_the_scenes(chapter, context);
-  check_dense_tangents(chapter);
+  check_mixed_tangents(chapter);
   return chapter;
 }
 

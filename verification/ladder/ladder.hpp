@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "common/flow/extrusion.hpp"
+#include "common/mixed/extrusion.hpp"
 #include "common/solve/end.hpp"
 #include "verification/harness/chapter.hpp"
 
@@ -24,7 +24,7 @@ struct ModelCost {
 /// A scene solved in both models, on the same elements across.
 struct RungCase {
   std::string what;  ///< law, λr, mesh
-  flow::Departure apart;
+  mixed::Departure apart;
   ModelCost poorer, richer;
   bool same_start = true;  ///< else the richer one started from the poorer's solution
   bool solved() const { return solve::is_success(poorer.end) && solve::is_success(richer.end); }

@@ -23,7 +23,7 @@ std::string case_name(const twod::Cylinder& scene, double loading, const std::st
 }
 
 template <int Dim>
-ModelCost cost_of(const flow::DenseFlow<Dim>& flow, const solve::ContinuationSummary& solved,
+ModelCost cost_of(const mixed::MixedFlow<Dim>& flow, const solve::ContinuationSummary& solved,
                   double seconds) {
   return {solved.newton.end,
           solved.total_iterations(),
@@ -35,11 +35,11 @@ ModelCost cost_of(const flow::DenseFlow<Dim>& flow, const solve::ContinuationSum
 }
 
 // The plane's solution in the layer, pushed off a little, along the axis too.
-solve::CompensatedVector pushed_off(const flow::DenseSpace<2>& plane,
+solve::CompensatedVector pushed_off(const mixed::MixedSpace<2>& plane,
                                     const solve::CompensatedVector& state,
-                                    const flow::DenseSpace<3>& space) {
+                                    const mixed::MixedSpace<3>& space) {
   constexpr double push = 1e-5;
-  auto pushed = flow::extruded_state(plane, state, space);
+  auto pushed = mixed::extruded_state(plane, state, space);
   for (Eigen::Index node = 0; 3 * node < space.velocity_count(); ++node) {
     const double down = pushed.value()[space.velocity_index(node, 1)];
     pushed.set(space.velocity_index(node, 1), (1 + push) * down);
@@ -65,7 +65,7 @@ RungCase creep(const twod::Cylinder& scene, double loading) {
   auto state = layer.space().start();
   const auto in_layer = solve::newton_along_path(layer.flow(), state, newton_options, down);
   rung.richer = cost_of(layer.flow(), in_layer, of_layer.seconds());
-  rung.apart = flow::departure_from_plane(plane.space(), plane_state, layer.space(), state);
+  rung.apart = mixed::departure_from_plane(plane.space(), plane_state, layer.space(), state);
   return rung;
 }
 
@@ -91,7 +91,7 @@ RungCase beyond_yield(twod::Cylinder scene, double loading, double push = 1) {
   solve::ContinuationSummary in_layer;
   in_layer.newton = solve::newton(layer.flow(), state, newton_options);
   rung.richer = cost_of(layer.flow(), in_layer, of_layer.seconds());
-  rung.apart = flow::departure_from_plane(plane.space(), plane_state, layer.space(), state);
+  rung.apart = mixed::departure_from_plane(plane.space(), plane_state, layer.space(), state);
   return rung;
 }
 

@@ -37,8 +37,8 @@ RungCase climb(const threed::Heap& heap, const threed::HeapMesh& mesh) {
                  finest.condensed,
                  solution.middle.seconds,
                  sizeof(double) * finest.factor_entries};
-  rung.apart = flow::departure(solution.flow->space(), solution.state, section.velocity,
-                               heap.section.height);
+  rung.apart = mixed::departure(solution.flow->space(), solution.state, section.velocity,
+                                heap.section.height);
   return rung;
 }
 

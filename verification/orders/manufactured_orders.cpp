@@ -2,13 +2,13 @@
 // orders study.
 #include <cmath>
 
-#include "verification/orders/dense_orders.hpp"
+#include "verification/orders/mixed_orders.hpp"
 #include "verification/orders/orders_parts.hpp"
 
 namespace talus::verification {
 namespace {
 
-using flow::FlowErrors;
+using mixed::FlowErrors;
 
 constexpr double order_tolerance = 0.15;  // of an order
 
@@ -59,7 +59,7 @@ MeasuredOrders check_orders(Chapter& chapter, io::Table& table, const Manufactur
 template <int Dim>
 MeasuredOrders check_mapped_pressure(Chapter& chapter, io::Table& table, ManufacturedCase<Dim> each,
                                      const MeshFamily<Dim>& family, double lowest, double highest) {
-  each.pressure_basis = flow::PressureBasis::mapped;
+  each.pressure_basis = mixed::PressureBasis::mapped;
   const MeasuredOrders lost = measure_orders(each, family);
   auto row = row_of(each, family, lost);
   row[3] += ", mapped pressure";
@@ -98,7 +98,7 @@ bool is_measured(const Context& context, const rheology::Regularisation& law, do
 // Not checked: what happens where the equations are ill-posed.
 std::string errors_at_large_inertial_numbers(const MeshFamily<2>& family) {
   const ManufacturedCase<2> ill_posed{
-      with_pressure_times(0.2, flow::manufactured_flows<2>().front()), rheology::ChauchatMedale{}};
+      with_pressure_times(0.2, mixed::manufactured_flows<2>().front()), rheology::ChauchatMedale{}};
   std::string errors;
   for (const double error : measure_orders(ill_posed, family).column(&FlowErrors::velocity))
     errors += (errors.empty() ? "" : ", ") +
@@ -118,7 +118,7 @@ void two_dimensions(Chapter& chapter, const std::vector<MeshFamily<2>>& families
       "elements stay distorted, and with it that of u.",
       {},
       static_cast<int>(flow_norms.size())};
-  for (const auto& exact : flow::manufactured_flows<2>()) {
+  for (const auto& exact : mixed::manufactured_flows<2>()) {
     const std::size_t first_panel = figure.panels.size();
     for (const FlowNorm& norm : flow_norms) {
       io::Panel panel{exact.name + ": " + norm.name, "h", "error", true, true, {}};
@@ -147,7 +147,7 @@ void two_dimensions(Chapter& chapter, const std::vector<MeshFamily<2>>& families
 // only, and the other laws in one of the flows.
 void three_dimensions(Chapter& chapter, const Context& context) {
   io::Table table{"The same in three dimensions, H27/P1", header, {}};
-  const auto& flows = flow::manufactured_flows<3>();
+  const auto& flows = mixed::manufactured_flows<3>();
   for (const auto& exact : flows)
     for (const auto& law : rheology::regularisations()) {
       const bool own_law = std::holds_alternative<rheology::ChauchatMedale>(law);

@@ -20,7 +20,7 @@ void add_section_orders(Chapter& chapter, const Context& context) {
   std::vector<NamedMethod> methods = {reference_method()};
   for (const NamedMethod& method : newton_methods(lambda_r)) methods.push_back(method);
   for (const NamedMethod& method : methods) {
-    flow::ShearOptions options = twod::default_options();
+    shear::ShearOptions options = twod::default_options();
     options.method = method.options.method;
     options.regularisation = method.options.regularisation;
     options.lambda_r = lambda_r;

@@ -10,14 +10,14 @@ namespace {
 
 struct SpaceSolution {
   oned::Solution line;  // what is left of it: a line across
-  flow::Departure departure;
+  mixed::Departure departure;
   double rms = 0;  // the paper's norm over all nodes
   Eigen::Index velocities = 0;
 
   double milliseconds() const { return 1e3 * line.seconds / std::max(1, line.iterations()); }
 };
 
-double paper_rms(const flow::DenseSpace<3>& space, const solve::CompensatedVector& state,
+double paper_rms(const mixed::MixedSpace<3>& space, const solve::CompensatedVector& state,
                  const oned::ShearScene& scene) {
   double squares = 0;
   const auto& nodes = space.mesh().nodes;
@@ -36,9 +36,9 @@ SpaceSolution solve_in_space(const oned::ShearScene& scene, const oned::Solution
                              double lambda_r, int elements, bool as_the_paper) {
   threed::UnidirectionalOptions options;
   options.lambda_r = lambda_r;
-  options.continuation = flow::Continuation::never;
+  options.continuation = shear::Continuation::never;
   if (as_the_paper) {
-    options.penalty = {flow::Penalty::plain, 1e-6};
+    options.penalty = {mixed::Penalty::plain, 1e-6};
     options.precision = solve::Precision::plain;
   }
   auto found = threed::solve_unidirectional<3>(

@@ -29,7 +29,7 @@ void judge_atlas(Chapter& chapter, const std::vector<LambdaPath>& paths);
 /// Of one law at F = 0.052: as usual, and under other penalties.
 struct PenaltyPaths {
   struct Tried {
-    flow::PenaltyOptions penalty;
+    mixed::PenaltyOptions penalty;
     Followed followed;
   };
   rheology::Regularisation law;

@@ -8,17 +8,17 @@
 namespace talus::verification {
 namespace {
 
-bool is_iterated(const flow::PenaltyOptions& penalty) {
-  return penalty.kind == flow::Penalty::iterated;
+bool is_iterated(const mixed::PenaltyOptions& penalty) {
+  return penalty.kind == mixed::Penalty::iterated;
 }
 
 // Where the iterated penalty is meant to be used: larger ones stall its iterations, smaller ones
 // lose the digits of the matrix.
-bool conditions_well(const flow::PenaltyOptions& penalty) {
+bool conditions_well(const mixed::PenaltyOptions& penalty) {
   return is_iterated(penalty) && penalty.lambda_p < 2e-4 && penalty.lambda_p > 0.5e-8;
 }
 
-std::string label_of(const flow::PenaltyOptions& penalty) {
+std::string label_of(const mixed::PenaltyOptions& penalty) {
   return is_iterated(penalty) ? "iterated" : "plain";
 }
 
@@ -26,16 +26,16 @@ std::string label_of(const flow::PenaltyOptions& penalty) {
 PenaltyPaths penalty_paths(const rheology::Regularisation& law, double lambda_r, bool full) {
   twod::Cylinder scene = cylinder_around(16, law);
   scene.lambda_r = lambda_r;
-  const auto solved = [&](const flow::PenaltyOptions& penalty) {
+  const auto solved = [&](const mixed::PenaltyOptions& penalty) {
     scene.penalty = penalty;
     return along_lambda_r(scene, 0.052, twod::Continuation::arclength, 60);
   };
   const std::vector<double> lambda_ps =
       full ? std::vector{1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12} : std::vector{1e-4, 1e-8, 1e-12};
   PenaltyPaths paths{law, solved({}), {}};
-  for (const auto kind : {flow::Penalty::iterated, flow::Penalty::plain})
+  for (const auto kind : {mixed::Penalty::iterated, mixed::Penalty::plain})
     for (const double lambda_p : lambda_ps) {
-      const flow::PenaltyOptions penalty{kind, lambda_p};
+      const mixed::PenaltyOptions penalty{kind, lambda_p};
       paths.tried.push_back({penalty, solved(penalty)});
     }
   return paths;

@@ -82,7 +82,7 @@ RateLaw rate_of(const rheology::Rheology& rheology) {
   };
 }
 
-Eigen::VectorXd line_answer(const oned::ShearScene& scene, const flow::CrossSection<1>& space,
+Eigen::VectorXd line_answer(const oned::ShearScene& scene, const shear::CrossSection<1>& space,
                             const RateLaw& law) {
   const auto& mesh = space.mesh();
   const auto place = [&](Eigen::Index node) {

@@ -28,7 +28,7 @@ RateLaw rate_of(const rheology::Rheology& rheology);
 
 /// Velocities at the nodes of `space`, in the order of its mesh. The scene's body force must be
 /// constant and its exact stress, the same under every law, linear.
-Eigen::VectorXd line_answer(const oned::ShearScene& scene, const flow::CrossSection<1>& space,
+Eigen::VectorXd line_answer(const oned::ShearScene& scene, const shear::CrossSection<1>& space,
                             const RateLaw& law);
 
 }  // namespace talus::verification

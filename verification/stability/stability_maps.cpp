@@ -164,12 +164,12 @@ std::vector<std::pair<NamedMethod, bool>> map_variants(const oned::ShearScene& s
   });
   without("from a Newtonian profile, with the fallback", [&](oned::SolveOptions& o) {
     o.start = newtonian;
-    o.continuation = flow::Continuation::on_failure;
+    o.continuation = shear::Continuation::on_failure;
   });
   without("frozen viscosity (η' dropped)",
-          [](oned::SolveOptions& o) { o.tangent_term = flow::TangentTerm::frozen; });
+          [](oned::SolveOptions& o) { o.tangent_term = shear::TangentTerm::frozen; });
   without("η' with the wrong sign",
-          [](oned::SolveOptions& o) { o.tangent_term = flow::TangentTerm::wrong_sign; });
+          [](oned::SolveOptions& o) { o.tangent_term = shear::TangentTerm::wrong_sign; });
   return variants;
 }
 
@@ -231,7 +231,7 @@ void add_maps(Chapter& chapter, const Context& context) {
                       result.if_all_succeed(result.smallest_ratio), 0.99, 1.01);
         chapter.check(label + ": largest distance from the reference, over that in theory",
                       result.if_all_succeed(result.largest_ratio), 0.99, 1.01);
-      } else if (method.options.tangent_term == flow::TangentTerm::wrong_sign) {
+      } else if (method.options.tangent_term == shear::TangentTerm::wrong_sign) {
         chapter.check(scene.name + ", wrong sign of η': successes (must be few)", result.successes,
                       0, result.cells / 2);
       }

@@ -69,7 +69,7 @@ class Range {
   std::string shown(double value, const std::string& unit) const {
     if (type_ == "INT" && value != std::round(value))
       throw refused("leads to " + io::rounded(value, 6) + ", which is no whole number");
-    return io::exact(std::stod(io::rounded(value, 12))) + unit;
+    return io::exact(io::number_in(io::rounded(value, 12))) + unit;
   }
 
   std::vector<std::string> evenly(double from, double to, double count,
