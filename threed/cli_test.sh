@@ -84,7 +84,7 @@ done <<'END'
 --method interior-point
 --wall friction
 --precision plain
---tangent frozen
+--line-search energy-slope
 END
 check refuses --start "'section'" "--model section" "--model space" -- "$heap" --start section
 # Options that the model, the method, or a check instead of a solve has no use for.
@@ -92,8 +92,9 @@ while read -r by options; do
   # shellcheck disable=SC2086  # words, as a user types them
   check refuses "${options%% *}: not used by --${by/=/ }" -- "$heap" --elements 1x2x3 $options
 done <<'END'
-model=space --line-search energy-slope --model space
-model=space --no-continuation --model space
+model=section --threads 1
+model=section --penalty plain
+model=section --lambda-p 1e-4
 model=section --outflow open
 method=interior-point --start rest
 method=interior-point --start nested

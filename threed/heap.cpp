@@ -50,7 +50,8 @@ HeapFlow::HeapFlow(const Heap& heap, const HeapMesh& mesh)
       mesh_(mesh),
       lines_(lines_of(heap, mesh)),
       space_(fem::box_mesh(lines_[0], lines_[1], lines_[2]), boundary_conditions(heap)),
-      flow_(space_, {heap.section.law, heap.regularisation, heap.lambda_r}, load_of(heap)) {}
+      flow_(space_, {heap.section.law, heap.regularisation, heap.lambda_r}, load_of(heap),
+            heap.penalty) {}
 
 mixed::FlowPoint<3> HeapFlow::point_at(const State& state, std::size_t element,
                                        const fem::Point<3>& reference) const {

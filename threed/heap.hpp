@@ -20,6 +20,7 @@ struct Heap {
   rheology::Regularisation regularisation = rheology::ChauchatMedale{};
   double lambda_r = 1e-5;
   mixed::Open open_outlet = mixed::Open::no;  ///< the open boundary of eq. (8) downstream
+  mixed::PenaltyOptions penalty = {};
 };
 
 /// Elements along the stream, and those of the section.

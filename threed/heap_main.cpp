@@ -19,6 +19,7 @@
 #include "common/mixed/mixed_jacobian.hpp"
 #include "common/program/summary.hpp"
 #include "common/scene/case.hpp"
+#include "common/solve/parallel.hpp"
 #include "common/solve/stopwatch.hpp"
 #include "threed/heap_program.hpp"
 #include "threed/heap_report.hpp"
@@ -38,8 +39,7 @@ int check_jacobian(const Options& options) {
                                                          section_options(options)));
   }
   threed::HeapFlow heap(heap_of(options), options.mesh);
-  if (options.method.tangent == "wrong-sign")
-    heap.flow().set_tangent_factors({.shear_rate = -1, .pressure = -1});
+  mixed::set_tangent(heap.flow(), program::tangent_named(options.method.tangent));
   const double pressure = 0.5 * options.section.height * std::cos(options.section.angle);
   return program::report("heap", mixed::check_jacobian(heap.flow(), pressure));
 }
@@ -164,6 +164,7 @@ int run(const CLI::App& app, Options& options, scene::Case& a_case) {
   // 1. What the options mean together.
   threed::interpret(app, options);
   threed::admit(options);
+  solve::set_threads(options.threads);
   if (a_case.is_dry_run()) return 0;
   if (options.check_jacobian) return check_jacobian(options);
   const io::ResultFolder folder = a_case.folder(options.output);

@@ -25,16 +25,16 @@ void refuse_values_of_the_other_model(const CLI::App& app, const ProgramOptions&
   if (options.wall != "no-slip") refuse("--wall", options.wall, "only no-slip is");
   if (method.precision != "compensated")
     refuse("--precision", method.precision, "only compensated is");
-  if (method.tangent != "wrong-sign" || !options.check_jacobian)
-    refuse("--tangent", method.tangent, "only wrong-sign is, with --check-jacobian");
+  if (method.line_search == "energy-slope")
+    refuse("--line-search", method.line_search, "only residual-norm and none are");
 }
 
 // Which options a run uses.
 std::vector<io::Use> used_options(const ProgramOptions& options) {
   std::vector<io::Use> table = {
-      {{"--outflow"}, options.is_space(), "--model section; add --model space"},
-      {{"--line-search"}, !options.is_space(), "--model space, which has its own, on the residual"},
-      {{"--no-continuation"}, !options.is_space(), "--model space; --start says where it sets out"},
+      {{"--outflow", "--penalty", "--lambda-p", "--threads"},
+       options.is_space(),
+       "--model section; add --model space"},
       {{"--start", "--flow-rate"}, !options.check_jacobian, "--check-jacobian"},
       {{"--start"},
        options.method.method == "newton",
@@ -106,6 +106,8 @@ void add_options(CLI::App& app, ProgramOptions& options) {
   io::add_real(app, "--width", options.section.width, "Width of the channel W, in d", 1e-3, 1e6);
   io::add_real(app, "--height", options.section.height, "Depth H, in d", 1e-3, 1e6);
   program::add_method_options(app, options.method);
+  program::add_penalty(app, options.penalty);
+  program::add_threads(app, options.threads);
   io::add_text(app, "--output", options.output, "Folder for the results");
   app.add_flag("--plot", options.plot, "Draw the profiles (data, gnuplot script, SVG and PNG)");
   app.add_flag("--check-jacobian", options.check_jacobian,
@@ -117,6 +119,7 @@ void interpret(const CLI::App& app, ProgramOptions& options) {
   if (options.is_space()) {
     options.method.method = "newton";
     if (app.count("--start") == 0) options.start = "nested";
+    if (app.count("--line-search") == 0) options.method.line_search = "residual-norm";
   }
   io::refuse_unused(app, used_options(options));
   read_elements(app, options);
@@ -161,6 +164,7 @@ Heap heap_of(const ProgramOptions& options) {
   heap.open_outlet = options.outflow == "open"           ? mixed::Open::all
                      : options.outflow == "open-viscous" ? mixed::Open::viscous
                                                          : mixed::Open::no;
+  heap.penalty = program::penalty_of(options.penalty);
   return heap;
 }
 
@@ -172,6 +176,9 @@ HeapOptions heap_options(const ProgramOptions& options) {
   if (options.method.tolerance > 0)
     all.newton.tolerance = all.newton.distance = options.method.tolerance;
   if (options.method.max_iterations > 0) all.newton.max_iterations = options.method.max_iterations;
+  all.newton.line_search = program::line_search_named(options.method.line_search);
+  all.tangent = program::tangent_named(options.method.tangent);
+  all.comes_down = !options.method.no_continuation;
   return all;
 }
 
@@ -197,6 +204,7 @@ nlohmann::json parameters(const ProgramOptions& options) {
   if (options.is_space()) {
     all["elements"] = {along, section.across, section.up};
     all["outflow"] = options.outflow;
+    all.update(program::as_json(program::penalty_of(options.penalty)));
   }
   if (options.flow_rate > 0)
     all["flow_rate"] = options.flow_rate;

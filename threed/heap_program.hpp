@@ -7,6 +7,7 @@
 
 #include "common/io/options.hpp"
 #include "common/program/method_options.hpp"
+#include "common/program/penalty_options.hpp"
 #include "threed/heap_solve.hpp"
 #include "twod/section_nested.hpp"
 
@@ -16,9 +17,11 @@ struct ProgramOptions {
   twod::Section section;
   HeapMesh mesh;
   program::MethodOptions method;
+  program::PenaltyOptions penalty;
   std::string model = "section", wall = "no-slip", elements = "70x100", output = "results/heap";
   std::string start = "rest", outflow = "fully-developed";
   double flow_rate = 0;  ///< 0: the angle is given instead
+  int threads = 1;
   bool plot = false, check_jacobian = false;
 
   bool is_space() const { return model == "space"; }

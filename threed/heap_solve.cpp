@@ -43,15 +43,17 @@ mixed::MixedFlow<3>::StressField stress_of(const HeapFlow& flow, const State& st
 solve::ContinuationSummary solve_on(HeapFlow& heap, State& state, const HeapOptions& options,
                                     const HeapFlow* coarse, const State& coarse_state) {
   std::vector<solve::ContinuationStep> tried;
+  mixed::set_tangent(heap.flow(), options.tangent);
   if (coarse) {
     state = interpolated(*coarse, coarse_state, heap);
-    if (options.carry_stress) heap.flow().carry_stress(stress_of(*coarse, coarse_state));
+    if (heap.flow().carries_stress()) heap.flow().carry_stress(stress_of(*coarse, coarse_state));
     solve::NewtonSummary newton = solve::newton(heap.flow(), state, options.newton);
-    if (is_success(newton.end)) return {std::move(newton), {}};
+    if (is_success(newton.end) || !options.comes_down) return {std::move(newton), {}};
     tried.push_back({heap.heap().lambda_r, newton.end, newton.iterations()});
   }
   state = heap.space().start();
-  if (options.carry_stress) heap.flow().carry_stress();
+  mixed::set_tangent(heap.flow(), options.tangent);
+  if (!options.comes_down) return {solve::newton(heap.flow(), state, options.newton), {}};
   auto summary = solve::newton_along_path(heap.flow(), state, options.newton, way_down);
   summary.path.insert(summary.path.begin(), tried.begin(), tried.end());
   return summary;
@@ -145,6 +147,7 @@ HeapSolution solve(const Heap& heap, const HeapMesh& mesh, const HeapOptions& op
     State state;
     if (options.start == Start::section) {
       state = mixed::extruded(flow->space(), section->velocity);
+      mixed::set_tangent(flow->flow(), options.tangent);
       newton = {solve::newton(flow->flow(), state, options.newton), {}};
     } else {
       const bool has_coarser = !solution.meshes.empty() && is_success(solution.meshes.back().end);

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "common/mixed/mixed_tangent.hpp"
 #include "threed/heap.hpp"
 
 namespace talus::threed {
@@ -16,8 +17,9 @@ struct HeapOptions {
   Start start = Start::nested;
   solve::NewtonOptions newton{
       .tolerance = 1e-14, .distance = 1e-10, .line_search = solve::LineSearch::residual_norm};
-  /// Carry a stress beside the velocity, from mesh to mesh too; else Newton's own tangent.
-  bool carry_stress = true;
+  /// In its primal-dual form a stress is carried beside the velocity, from mesh to mesh too.
+  shear::TangentTerm tangent = shear::TangentTerm::primal_dual;
+  bool comes_down = true;  ///< in λr, from rest; else Newton at λr directly and only
 };
 
 /// What one mesh took.

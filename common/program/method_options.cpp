@@ -53,7 +53,10 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
   io::add_choice(app, "--precision", options.precision,
                  "Of Newton's iterate: double, or double with its rounding kept",
                  {"compensated", "plain"});
-  io::add_choice(app, "--line-search", options.line_search, "Of Newton", {"energy-slope", "none"});
+  io::add_choice(app, "--line-search", options.line_search,
+                 "Of Newton: on the slope of the energy (default), on the residual (default of the "
+                 "heap in space), or full steps",
+                 {"energy-slope", "residual-norm", "none"});
   add_tangent(app, options.tangent);
   io::add_real(
       app, "--tolerance", options.tolerance,
@@ -68,6 +71,12 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
                "Newton at lambda_r directly and only: no way down from a larger one");
 }
 
+solve::LineSearch line_search_named(const std::string& line_search) {
+  return line_search == "none"            ? solve::LineSearch::none
+         : line_search == "residual-norm" ? solve::LineSearch::residual_norm
+                                          : solve::LineSearch::energy_slope;
+}
+
 shear::ShearOptions shear_options(const MethodOptions& options, shear::ShearOptions defaults) {
   shear::ShearOptions result = std::move(defaults);
   result.method =
@@ -77,8 +86,7 @@ shear::ShearOptions shear_options(const MethodOptions& options, shear::ShearOpti
   if (options.no_continuation) result.continuation = shear::Continuation::never;
   result.precision =
       options.precision == "plain" ? solve::Precision::plain : solve::Precision::compensated;
-  result.newton.line_search =
-      options.line_search == "none" ? solve::LineSearch::none : solve::LineSearch::energy_slope;
+  result.newton.line_search = line_search_named(options.line_search);
   result.tangent_term = tangent_named(options.tangent);
   if (options.tolerance > 0)
     result.newton.tolerance = result.newton.distance = result.interior_point.tolerance =

@@ -34,6 +34,9 @@ void add_friction(CLI::App& app, std::string& friction);
 void add_tangent(CLI::App& app, std::string& tangent);
 shear::TangentTerm tangent_named(const std::string& tangent);
 
+/// What a value of --line-search means.
+solve::LineSearch line_search_named(const std::string& line_search);
+
 /// Adds --threads, with all of the machine as its default; for solve::set_threads.
 void add_threads(CLI::App& app, int& threads);
 

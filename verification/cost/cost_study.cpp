@@ -4,6 +4,7 @@
 
 #include "common/solve/stopwatch.hpp"
 #include "verification/cost/cost_parts.hpp"
+#include "verification/cost/work_precision.hpp"
 #include "verification/harness/methods.hpp"
 
 namespace talus::verification {
@@ -251,6 +252,7 @@ Chapter cost_study(const Context& context) {
   precision_cost(chapter);
   kernel_speed(chapter);
   add_program_cost(chapter);
+  add_work_precision(chapter, work_questions(context.full), [](double) {});
   mixed_kernel_costs(chapter, context);
   mixed_work(chapter, context);
   context.progress(0.75);

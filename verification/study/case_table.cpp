@@ -9,6 +9,7 @@
 #include <set>
 
 #include "common/io/options.hpp"
+#include "common/rheology/regularisation.hpp"
 
 namespace talus::study {
 namespace {
@@ -36,12 +37,18 @@ double regularisation_of(const Row& row) {
   return parameters.value("lambda_r", 0.0);  // none by the interior point
 }
 
+// A law without a yield stress tends to a flow of its own: another problem.
+std::string own_law_of(const Row& row) {
+  const auto law = rheology::regularisation_named(row.option("--regularisation"));
+  return law && !rheology::has_yield_stress(*law) ? rheology::name_of(*law) : "";
+}
+
 // Against the finest of each group; see errors_to_show.
 void measure_against_the_finest(Table& table, const std::string& quantity,
                                 const std::vector<std::string>& of_problem) {
   std::map<std::string, Row*> finest;
   const auto group_of = [&](const Row& row) {
-    std::string group;
+    std::string group = own_law_of(row);
     for (const std::string& option : of_problem) group += row.option(option) + "\n";
     return group;
   };

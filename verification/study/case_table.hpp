@@ -43,7 +43,8 @@ bool is_numeric(const Varied& option);
 /// The names of the errors that a chart shows: of the quantities asked for, or of the scene's main
 /// one. Of a quantity that nothing exact is known of, and no --reference, every row gets its
 /// relative error against the finest mesh, the least regularised, among the rows with the same
-/// values of the options `of_problem`; on that mesh none has one.
+/// values of the options `of_problem`, and the same law if it has no yield stress; on that mesh
+/// none has one.
 std::vector<std::string> errors_to_show(Table& table, const std::vector<std::string>& of_problem);
 
 /// One row a case: the options that vary, status, iterations, factorisations, times, memory, sizes,

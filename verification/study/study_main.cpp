@@ -12,6 +12,7 @@
 #include "common/io/shell.hpp"
 #include "verification/harness/runner.hpp"
 #include "verification/study/page.hpp"
+#include "verification/study/question.hpp"
 
 using namespace talus;
 
@@ -68,16 +69,10 @@ std::string line_of(int argc, char** argv) {
 int run(Asked& asked, const std::string& command) {
   // 1. What is asked, and whether every case of it is possible.
   const study::Kind& kind = study::kind_named(asked.kind);
-  study::Table table{study::program_of(asked.scene), {}, {}};
-  table.varied = study::varied_options(table.program, asked.scene_words);
+  study::Table table = study::asked(
+      asked.scene, asked.scene_words,
+      asked.quantity.empty() ? std::vector<std::string>{} : io::split(asked.quantity, ','));
   kind.admit(table);
-  if (!asked.quantity.empty()) table.quantities = io::split(asked.quantity, ',');
-  for (const std::string& each : table.quantities) {
-    const bool is_error = each.rfind("error_", 0) == 0;
-    if (!table.program.quantity(each) && !(is_error && table.program.quantity(each.substr(6))))
-      throw io::UserError("--quantity: '" + each + "' is no result of " + asked.scene +
-                          " (see its --describe)");
-  }
   const auto cases = study::possible(table.program, study::combinations(table.varied));
   if (asked.output.empty()) asked.output = "results/study/" + kind.name + "-" + asked.scene;
   if (!asked.merge.empty())

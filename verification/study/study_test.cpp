@@ -165,6 +165,21 @@ BOOST_AUTO_TEST_CASE(where_nothing_is_exact_the_finest_mesh_of_the_same_problem_
   BOOST_TEST(std::isnan(table.rows.back().number("error_flow")));
 }
 
+BOOST_AUTO_TEST_CASE(a_law_without_yield_stress_is_measured_against_itself) {
+  Table table{made_up(),
+              {{"--elements", {"1", "2"}}, {"--regularisation", {"simple", "barker-gray"}}},
+              {"flow"}};
+  const auto add = [&](const std::string& n, const std::string& law, double flow) {
+    table.rows.push_back(row({{"--elements", n}, {"--regularisation", law}}, {{"flow", flow}},
+                             {{"elements", std::stod(n)}, {"cpu_seconds", 1}}));
+  };
+  add("1", "simple", 9), add("2", "simple", 10), add("1", "barker-gray", 30);
+  add("2", "barker-gray", 20);
+  errors_to_show(table, {});
+  BOOST_TEST(std::abs(table.rows[0].number("error_flow") - 0.1) < 1e-12);
+  BOOST_TEST(std::abs(table.rows[2].number("error_flow") - 0.5) < 1e-12);
+}
+
 BOOST_AUTO_TEST_CASE(a_case_that_failed_is_a_mark_with_the_name_of_its_end) {
   Table table{made_up(), {{"--lambda-r", {"1", "0.1"}}, {"--elements", {"4", "8"}}}, {}};
   for (const char* lambda : {"1", "0.1"})

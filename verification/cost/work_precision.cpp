@@ -1,0 +1,121 @@
+// Work and precision of every scene in every model it has, by the programs themselves: one table of
+// the same columns, and every row a command line.
+#include "verification/cost/work_precision.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "common/io/options.hpp"
+#include "common/solve/extremes.hpp"
+#include "verification/harness/methods.hpp"
+#include "verification/study/kinds.hpp"
+#include "verification/study/question.hpp"
+
+namespace talus::verification {
+namespace {
+
+// Every law of the registry, as the values of an option.
+std::string all_laws() {
+  std::string laws;
+  for (const auto& law : rheology::regularisations())
+    laws += (laws.empty() ? "" : ",") + rheology::name_of(law);
+  return laws;
+}
+
+// How far the error of a curve falls from its coarsest to its finest mesh; NaN if it is not known
+// of two meshes, or a case did not arrive.
+double decrease(const study::Curve& curve, const std::string& error) {
+  std::vector<double> errors;
+  for (const study::Row* row : curve.rows) {
+    if (!row->is_success()) return std::numeric_limits<double>::quiet_NaN();
+    if (std::isfinite(row->number(error))) errors.push_back(row->number(error));
+  }
+  return errors.size() > 1 ? errors.back() / errors.front()
+                           : std::numeric_limits<double>::quiet_NaN();
+}
+
+void add_rows(io::Table& table, const WorkQuestion& question, const study::Table& answer,
+              const std::string& error, const study::Findings& found) {
+  for (const auto& curve : study::curves_of(answer, {answer.mesh_option()}))
+    for (const study::Row* row : curve.rows) {
+      const bool on_front =
+          std::ranges::any_of(found.front, [&](const auto& each) { return each.second == row; });
+      const double reached = row->number(error);
+      table.rows.push_back(
+          {question.title, curve.label, row->option(answer.mesh_option()), row->status(),
+           io::rounded(row->number("unknowns"), 7), io::rounded(row->number("factorisations")),
+           io::rounded(row->number("cpu_seconds"), 3), io::rounded(row->number("peak_memory"), 3),
+           std::isfinite(reached) ? io::rounded(reached, 3) : "", error, on_front ? "yes" : "",
+           row->record.at("command")});
+    }
+}
+
+}  // namespace
+
+std::vector<WorkQuestion> work_questions(bool full) {
+  const std::string laws = " --regularisation " + all_laws();
+  const auto sized = [&](const char* quick, const char* whole) {
+    return std::string(full ? whole : quick);
+  };
+  const std::string line = " --method newton,interior-point --lambda-r 1e-8 --elements " +
+                           sized("10:80:x2", "10:640:x2") + laws;
+  const std::string plane = " --lambda-r 1e-8 --elements " + sized("4,8", "4:16:x2") + laws;
+  const std::string space = " --lambda-r 1e-8 --elements " + sized("2,4", "2:8:x2") + laws;
+  const std::string around = " --lambda-r 1e-4 --around " + sized("16,24,32", "16,24,32,48,80");
+  return {{"chute, line", "chute", "--model line" + line},
+          {"chute, plane", "chute", "--model plane" + plane},
+          {"chute, space", "chute", "--model space" + space},
+          {"bagnold, line", "bagnold", "--model line" + line},
+          {"bagnold, plane", "bagnold", "--model plane" + plane},
+          {"bagnold, space", "bagnold", "--model space" + space},
+          {"heap, section", "heap",
+           "--model section --method newton,interior-point --elements " +
+               sized("5x7,10x14,20x28", "9x13,18x25,35x50,70x100") + laws},
+          {"heap, space", "heap",
+           "--model space --elements " +
+               sized("1x3x4,1x5x7,1x9x13", "1x5x7,1x9x13,1x18x25,1x35x50") + laws},
+          {"manufactured, plane", "manufactured",
+           "--model plane --elements " + sized("4,8,16", "4:32:x2") + laws},
+          {"manufactured, space", "manufactured",
+           "--model space --elements " + sized("2,4", "2:8:x2") + laws},
+          {"cylinder, creep", "cylinder", "--loading 0.03" + around + laws},
+          {"cylinder, above yield", "cylinder", "--loading 0.052" + around + laws}};
+}
+
+void add_work_precision(Chapter& chapter, const std::vector<WorkQuestion>& questions,
+                        const std::function<void(double)>& progress) {
+  io::Table table{"Work and precision of every scene in every model, one thread",
+                  {"scene and model", "method", "mesh", "end", "unknowns", "factorisations",
+                   "CPU s", "memory, MB", "error", "of", "on the front", "command"},
+                  {}};
+  io::Figure figure{"work_precision",
+                    "Error against CPU time of every scene in every model, every law of the "
+                    "registry, one thread; every point is a mesh and a command of the table. "
+                    "Rings: no other case is both faster and better. A law without a yield "
+                    "stress is measured against its own flow.",
+                    {},
+                    2};
+  std::size_t done = 0;
+  for (const WorkQuestion& question : questions) {
+    study::Table answer = study::asked(question.scene, io::split(question.words, ' '));
+    study::solve(answer);
+    study::Findings found = study::cost(answer);
+    auto& panel = std::get<io::Figure>(found.chapter.blocks.front()).panels.front();
+    panel.title = question.title + ": " + panel.title;
+    figure.panels.push_back(panel);
+    const std::string error = study::errors_to_show(answer, {}).front();
+    add_rows(table, question, answer, error, found);
+    double worst = 0;
+    for (const auto& curve : study::curves_of(answer, {answer.mesh_option()}))
+      worst = solve::nan_max(worst, decrease(curve, error));
+    chapter.check("work and precision, " + question.title +
+                      ": error on the finest mesh over that on the coarsest, any method",
+                  worst, 0, 0.5);
+    progress(static_cast<double>(++done) / static_cast<double>(questions.size()));
+  }
+  chapter.figure(std::move(figure));
+  chapter.table(std::move(table));
+}
+
+}  // namespace talus::verification
