@@ -64,8 +64,7 @@ std::vector<std::string> discrete_limits(const oned::ShearScene& scene, int elem
   deciding.interior_point.tolerance = 1e-6;
   const auto certificate = [&](double load) {
     const auto loaded = scene.load.scene(load);
-    auto solution =
-        oned::solve(loaded, oned::boundaries(loaded, {.elements = elements}), deciding);
+    auto solution = oned::solve(loaded, oned::boundaries(loaded, {.elements = elements}), deciding);
     const bool flows_not = solution.end == solve::End::no_steady_state;
     if (!flows_not && !solve::is_success(solution.end)) undecided.push_back(load);
     return solution;
@@ -94,7 +93,7 @@ std::vector<std::string> discrete_limits(const oned::ShearScene& scene, int elem
 
 }  // namespace
 
-void add_limits(Chapter& chapter, const Context& context) {
+void limits(Chapter& chapter, const Context& context) {
   chapter.text(
       "Past the load μ2 p no steady flow exists, but a mesh tests the stress at its quadrature "
       "points only, which may stay inside. Then Newton returns a converged number for a flow that "
