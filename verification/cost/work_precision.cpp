@@ -8,6 +8,7 @@
 
 #include "common/io/options.hpp"
 #include "common/solve/extremes.hpp"
+#include "verification/cost/cost_parts.hpp"
 #include "verification/harness/methods.hpp"
 #include "verification/study/kinds.hpp"
 #include "verification/study/question.hpp"
@@ -116,6 +117,10 @@ void add_work_precision(Chapter& chapter, const std::vector<WorkQuestion>& quest
   }
   chapter.figure(std::move(figure));
   chapter.table(std::move(table));
+}
+
+void scene_costs(Chapter& chapter, const Context& context) {
+  add_work_precision(chapter, work_questions(context.full), context.progress);
 }
 
 }  // namespace talus::verification

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/io/options.hpp"
+#include "verification/stability/stability_parts.hpp"
 #include "verification/study/kinds.hpp"
 #include "verification/study/question.hpp"
 
@@ -82,6 +83,10 @@ void add_model_maps(Chapter& chapter, const std::vector<MapQuestion>& questions,
     add_map(chapter, question);
     progress(static_cast<double>(++done) / static_cast<double>(questions.size()));
   }
+}
+
+void model_maps(Chapter& chapter, const Context& context) {
+  add_model_maps(chapter, map_questions(context.full), context.progress);
 }
 
 }  // namespace talus::verification
