@@ -101,9 +101,10 @@ bool may_creep(const Cylinder& scene, double loading);
 /// Options with which paths of this scene are followed.
 solve::PathOptions cylinder_path_options();
 
-/// Solves a loading from nothing: Newton from rest at λr = 0.1 (in primal-dual form at 0.01), where
-/// that fails along the loading at 0.03 (0.01, then 0.03); then a path in log10 λr down to the
-/// scene's. The flow is left at that loading and the last λr.
+/// Solves a loading from nothing: Newton from rest at λr = 0.1 (in primal-dual form at 0.01, under
+/// a floor in eq. (16) that goes, else without), where that fails along the loading at 0.03 (0.01,
+/// then 0.03); then a path in log10 λr down to the scene's, in primal-dual form roughly. The flow
+/// is left at that loading and the last λr.
 CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading,
                              Continuation continuation = Continuation::primal_dual,
                              const solve::PathOptions& options = cylinder_path_options(),

@@ -13,6 +13,12 @@ using State = CylinderFlow::State;
 constexpr double smooth_lambda_r = 0.1, primal_dual_lambda_r = 0.01;
 // Smooth enough along the loading on fine meshes; some laws can do with the other one.
 constexpr double loading_lambda_r = 0.03;
+// What only leads on to the next λr needs no more.
+constexpr double rough = 1e-6;
+
+// A primal-dual step is full; its residual rises before it falls, and is given time for it.
+constexpr int most_corrections = 24;
+constexpr double beyond_hope = 0.5;
 
 template <class Problem>
 CylinderPath follow(CylinderFlow& cylinder, Problem problem, solve::PathStart<State> start,
@@ -36,10 +42,11 @@ CylinderPath follow(CylinderFlow& cylinder, Problem problem, solve::PathStart<St
   // Steps so long that a tangent says nothing about their end, with time to converge.
   solve::PathOptions far = options;
   far.largest_step = 2;
-  far.few_corrections = 8;
-  far.many_corrections = 14;
-  far.max_corrections = 24;
-  far.hopeless = 0.5;
+  const int saved = options.on_the_way > options.tolerance ? 1 : 0;  // corrections, by rough points
+  far.few_corrections = 8 - saved;
+  far.many_corrections = 14 - saved;
+  far.max_corrections = most_corrections;
+  far.hopeless = beyond_hope;
   if (!cylinder.flow().carries_stress()) cylinder.flow().carry_stress();  // a path resumed does
   auto path =
       solve::follow_natural(problem, std::move(start), solve::Predictor::constant, far, observer);
@@ -105,6 +112,45 @@ SmoothStart start_at(CylinderFlow& cylinder, double loading, double lambda_r, bo
   return start;
 }
 
+// In primal-dual form under a floor in eq. (16) that goes in two steps: from rest roughly, by line
+// search, then in full steps.
+SmoothStart start_under_floors(CylinderFlow& cylinder, double loading, double tolerance) {
+  const rheology::Rheology own = cylinder.flow().rheology();
+  struct Stage {
+    double lambda_r, floor, tolerance;
+    solve::LineSearch line_search;
+  };
+  constexpr double roughest = 1e-3;
+  SmoothStart start{.state = cylinder.space().start()};
+  cylinder.flow().set_load_factor(loading);
+  cylinder.flow().carry_stress();
+  for (const Stage& stage :
+       {Stage{loading_lambda_r, 0.1, roughest, solve::LineSearch::residual_norm},
+        Stage{primal_dual_lambda_r, 0.03, roughest, solve::LineSearch::none},
+        Stage{primal_dual_lambda_r, 0, tolerance, solve::LineSearch::none}}) {
+    rheology::Rheology law = own;
+    law.lambda_r = start.lambda_r = std::max(stage.lambda_r, cylinder.scene().lambda_r);
+    law.pressure_floor = std::max(stage.floor, own.pressure_floor);
+    law.regularises_pressure = own.regularises_pressure || stage.floor > 0;
+    cylinder.flow().set_rheology(law);
+    const auto newton = solve::newton(cylinder.flow(), start.state,
+                                      {.tolerance = std::max(stage.tolerance, tolerance),
+                                       .distance = std::numeric_limits<double>::infinity(),
+                                       .max_iterations = most_corrections,
+                                       .hopeless = beyond_hope,
+                                       .line_search = stage.line_search});
+    start.succeeded = solve::is_success(newton.end);
+    if (!start.succeeded) break;
+    cylinder.flow().stop_carrying_stress();
+    cylinder.flow().carry_stress();
+  }
+  cylinder.flow().stop_carrying_stress();
+  rheology::Rheology law = own;
+  law.lambda_r = start.lambda_r;
+  cylinder.flow().set_rheology(law);
+  return start;
+}
+
 // From rest at a loading that the cylinder holds, then along the loading.
 SmoothStart start_along_loading(CylinderFlow& cylinder, double loading, double lambda_r,
                                 const solve::PathOptions& options) {
@@ -125,6 +171,10 @@ SmoothStart start_from_rest(CylinderFlow& cylinder, double loading, Continuation
                             const solve::PathOptions& options) {
   const bool is_primal_dual = continuation == Continuation::primal_dual;
   const double preferred = is_primal_dual ? primal_dual_lambda_r : smooth_lambda_r;
+  if (is_primal_dual) {
+    auto start = start_under_floors(cylinder, loading, options.tolerance);
+    if (start.succeeded) return start;
+  }
   const SmoothStart from_rest =
       start_at(cylinder, loading, preferred, is_primal_dual, options.tolerance);
   if (from_rest.succeeded) return from_rest;
@@ -209,6 +259,7 @@ CylinderPath follow_lambda_r(CylinderFlow& cylinder, double loading, solve::Path
   cylinder.flow().set_load_factor(loading);
   options.target = std::log10(cylinder.scene().lambda_r);
   options.upper = 1;  // λr = 10: a path that climbs there has turned back for good
+  if (continuation == Continuation::primal_dual) options.on_the_way = rough;
   return follow(cylinder, mixed::RegularisationPath<2>(cylinder.flow()), std::move(start),
                 continuation, options, observe);
 }

@@ -5,6 +5,70 @@
 #include "common/solve/gmres.hpp"
 
 namespace talus::mixed {
+namespace {
+
+constexpr double enough_of_a_step = 1e-3;  // may be left of it: Newton then gains three digits
+
+// What is left of a right side, of the equation of motion or of mass, whichever is worse. One that
+// is zero from the start is no measure.
+template <int Dim>
+double share_left(const MixedSpace<Dim>& space, const Eigen::VectorXd& rest,
+                  const Eigen::VectorXd& right_hand_side) {
+  const Eigen::Index velocities = space.velocity_count(), pressures = rest.size() - velocities;
+  const auto share = [](const auto& left, const auto& whole) {
+    return whole.isZero(0) ? 0 : left.norm() / whole.norm();
+  };
+  return std::max(share(rest.head(velocities), right_hand_side.head(velocities)),
+                  share(rest.tail(pressures), right_hand_side.tail(pressures)));
+}
+
+// With M the matrix last factored: M⁻¹J x = M⁻¹b by GMRES, which takes the penalty out as well.
+template <int Dim>
+solve::GmresSummary solve_preconditioned(const MixedFlow<Dim>& flow,
+                                         const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& x,
+                                         const solve::GmresOptions& options) {
+  Eigen::VectorXd first, scaled;
+  x = Eigen::VectorXd::Zero(right_hand_side.size());
+  if (!flow.system().solve(right_hand_side, first)) return {};
+  // Velocities and pressures, whose units differ, are each measured by their first approximation.
+  const Eigen::Index split = flow.space().velocity_count();
+  Eigen::VectorXd units(first.size());
+  const auto size = [](const auto& part) {
+    return std::max(part.norm(), std::numeric_limits<double>::min());
+  };
+  units.head(split).setConstant(size(first.head(split)));
+  units.tail(units.size() - split).setConstant(size(first.tail(units.size() - split)));
+  const auto product = [&](const Eigen::VectorXd& direction) {
+    Eigen::VectorXd result;
+    flow.system().solve(
+        flow.tangent_product(solve::CompensatedVector(direction.cwiseProduct(units).eval())),
+        result);
+    return result.cwiseQuotient(units).eval();
+  };
+  const auto summary = solve::gmres(product, first.cwiseQuotient(units), scaled, options);
+  x = scaled.cwiseProduct(units);
+  return summary;
+}
+
+// Where a wake of negative pressure leaves a few elements next to no viscosity and their neighbours
+// have much, as many modes are left by each refinement, in the equation of mass above all. For
+// GMRES they are an iteration each.
+template <int Dim>
+void take_out_slow_modes(const MixedFlow<Dim>& flow, const Eigen::VectorXd& right_hand_side,
+                         const Eigen::VectorXd& left, solve::CompensatedVector& x) {
+  constexpr int most_iterations = 20;
+  const double before = share_left(flow.space(), left, right_hand_side);
+  if (before <= enough_of_a_step) return;
+  Eigen::VectorXd correction;
+  solve_preconditioned(flow, left, correction, {enough_of_a_step, most_iterations});
+  const auto trial = x.moved(1, solve::CompensatedVector(correction));
+  const Eigen::VectorXd rest = right_hand_side - flow.tangent_product(trial);
+  const double harmless = std::max(left.norm(), enough_of_a_step * right_hand_side.norm());
+  if (share_left(flow.space(), rest, right_hand_side) < before && rest.norm() <= harmless)
+    x = trial;
+}
+
+}  // namespace
 
 template <int Dim>
 bool MixedFlow<Dim>::linear_solve(const Eigen::VectorXd& right_hand_side, State& x) {
@@ -27,22 +91,27 @@ bool MixedFlow<Dim>::solve_linearised(const Eigen::VectorXd& right_hand_side, St
   constexpr double useful = 1;
   constexpr double negligible = 1e-9;  // of it: among the roundings none is better than another
   const double size = right_hand_side.norm();
-  Eigen::VectorXd correction;
+  Eigen::VectorXd correction, left;
   if (!system_.solve(right_hand_side, correction)) return false;
   State trial(correction);
   double least = std::numeric_limits<double>::infinity();
+  bool is_slow = false;
   for (int refinement = 0;; ++refinement) {
     const Eigen::VectorXd rest = right_hand_side - tangent_product(trial);
     const double norm = rest.norm(), last = least;
+    is_slow = !(norm <= worthwhile * last);
     if (!(norm < last || norm <= negligible * size)) break;
     x = trial;
+    left = rest;
     least = norm;
-    if (norm > worthwhile * last || norm <= epsilon * size || refinement == most_refinements ||
+    if (is_slow || norm <= epsilon * size || refinement == most_refinements ||
         !system_.solve(rest, correction))
       break;
     trial = trial.moved(1, State(correction));
   }
-  return least <= useful * size && x.value().allFinite();
+  if (!(least <= useful * size) || !x.value().allFinite()) return false;
+  if (is_slow) take_out_slow_modes(*this, right_hand_side, left, x);
+  return true;
 }
 
 template <int Dim>
@@ -102,31 +171,17 @@ Eigen::SparseMatrix<double> MixedFlow<Dim>::tangent_matrix(TangentPenalty penalt
   return matrix;
 }
 
-// With M the matrix last factored: M⁻¹J x = M⁻¹b by GMRES, which takes the penalty out as well.
+// With factors of an earlier state, while they are worth it.
 template <int Dim>
 bool MixedFlow<Dim>::iterate(const Eigen::VectorXd& right_hand_side, State& x) {
-  constexpr double tolerance = 1e-3;  // of a step: Newton then gains three digits at most
-  Eigen::VectorXd first, scaled;
-  if (lag_.budget() == 0 || !system_.solve(right_hand_side, first)) return false;
-  // Velocities and pressures, whose units differ, are each measured by their first approximation.
-  const Eigen::Index split = space_.velocity_count();
-  Eigen::VectorXd units(first.size());
-  const auto size = [](const auto& part) {
-    return std::max(part.norm(), std::numeric_limits<double>::min());
-  };
-  units.head(split).setConstant(size(first.head(split)));
-  units.tail(units.size() - split).setConstant(size(first.tail(units.size() - split)));
-  const auto product = [&](const Eigen::VectorXd& direction) {
-    Eigen::VectorXd result;
-    system_.solve(tangent_product(State(direction.cwiseProduct(units).eval())), result);
-    return result.cwiseQuotient(units).eval();
-  };
+  if (lag_.budget() == 0) return false;
+  Eigen::VectorXd solution;
   const auto summary =
-      solve::gmres(product, first.cwiseQuotient(units), scaled, {tolerance, lag_.budget()});
+      solve_preconditioned(*this, right_hand_side, solution, {enough_of_a_step, lag_.budget()});
   krylov_iterations_ += summary.iterations;
   if (!summary.converged) return false;
   lag_.iterated(summary.iterations);
-  x = State(scaled.cwiseProduct(units).eval());
+  x = State(solution);
   return x.value().allFinite();
 }
 

@@ -105,6 +105,7 @@ struct PathOptions {
   double growth = 1.5;                              ///< factor for both; a failure halves the step
   double max_deviation = 2;  ///< correction of a predicted state, over the step
   double tolerance = 1e-10;  ///< of every point, on Residual::relative_norm()
+  double on_the_way = 0;  ///< natural continuation to a target: tolerance of the points before it
   double hopeless = std::numeric_limits<double>::infinity();  ///< NewtonOptions::hopeless
   int max_corrections = 10;  ///< full Newton steps: a path needs none shorter, it shortens its own
 };
@@ -152,12 +153,15 @@ template <PathProblem P>
 NewtonSummary solve_at(P& problem, double parameter, typename P::State& state,
                        const PathOptions& options, Path<typename P::State>& path) {
   problem.set_parameter(parameter);
-  NewtonSummary summary = newton(problem, state,
-                                 {.tolerance = options.tolerance,
-                                  .distance = std::numeric_limits<double>::infinity(),
-                                  .max_iterations = options.max_corrections,
-                                  .hopeless = options.hopeless,
-                                  .line_search = LineSearch::none});
+  const bool is_on_the_way = options.target && parameter != *options.target;
+  NewtonSummary summary =
+      newton(problem, state,
+             {.tolerance = is_on_the_way ? std::max(options.tolerance, options.on_the_way)
+                                         : options.tolerance,
+              .distance = std::numeric_limits<double>::infinity(),
+              .max_iterations = options.max_corrections,
+              .hopeless = options.hopeless,
+              .line_search = LineSearch::none});
   path.pending.factorisations += summary.iterations();
   return summary;
 }
