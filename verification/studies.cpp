@@ -1,4 +1,11 @@
-#include "verification/harness/chapter.hpp"
+#include "verification/cost/cost_parts.hpp"
+#include "verification/cylinder/cylinder_parts.hpp"
+#include "verification/heap/heap_study.hpp"
+#include "verification/jacobian/jacobian_parts.hpp"
+#include "verification/ladder/ladder.hpp"
+#include "verification/orders/orders_parts.hpp"
+#include "verification/paper/paper_parts.hpp"
+#include "verification/stability/stability_parts.hpp"
 
 namespace talus::verification {
 
@@ -6,31 +13,43 @@ const std::vector<Study>& studies() {
   static const std::vector<Study> all = {
       {"jacobian",
        "Is every tangent the derivative of its residual?",
-       jacobian_study,
-       {0.18, 0.18}},
+       {{"", jacobian_study, {0.18, 0.18}}}},
       {"orders",
        "Does the error fall with the element size as theory says?",
-       orders_study,
-       {0.35, 3.9}},
+       {{"lines", line_orders, {0.02, 0.04}},
+        {"section", section_orders, {0.12, 0.53}},
+        {"plane", plane_orders, {0.07, 0.65}},
+        {"space", space_orders, {0.11, 2.7}}}},
       {"paper",
        "Which figures of the paper do we reproduce, and which not?",
-       paper_study,
-       {0.03, 0.03}},
-      {"cost", "What is the cheapest way to a given error?", cost_study, {0.35, 4.8}, true},
-      {"stability", "Where do the methods fail, and do they say so?", stability_study, {0.45, 7.2}},
+       {{"", paper_study, {0.03, 0.03}}}},
+      {"cost",
+       "What is the cheapest way to a given error?",
+       {{"lines", line_costs, {0.16, 1.2}, true},
+        {"programs", program_costs, {0.01, 0.01}, true},
+        {"elements", element_costs, {0.03, 0.7}, true},
+        {"linear-solvers", linear_solver_costs, {0.07, 1.0}, true},
+        {"section", section_costs, {0.04, 0.9}, true},
+        {"cylinder", cylinder_costs, {0.04, 1.0}, true}}},
+      {"stability",
+       "Where do the methods fail, and do they say so?",
+       {{"maps", maps, {0.24, 1.0}},
+        {"interior-point", interior_point_counts, {0.01, 0.01}},
+        {"limits", limits, {0.01, 0.03}},
+        {"round-off", round_off_floor, {0.01, 0.02}},
+        {"cylinder", cylinder_atlas, {0.12, 5.5}},
+        {"penalties", cylinder_penalties, {0.06, 0.5}}}},
       {"heap",
        "What does the heap's cross-section owe to its mesh, and what to λr?",
-       heap_study,
-       {0.2, 1.1}},
+       {{"", heap_study, {0.2, 1.1}}}},
       {"ladder",
        "Which model does a scene need, and what do richer ones cost?",
-       ladder_study,
-       {0.2, 3.7},
-       true},
+       {{"", ladder_study, {0.2, 3.7}, true}}},
       {"cylinder",
        "How does the flow around a cylinder set in, and what folds its path?",
-       cylinder_study,
-       {0.2, 5.7}}};
+       {{"meshes", cylinder_meshes, {0.01, 0.5}},
+        {"outlets", cylinder_outlets, {0.03, 0.03}},
+        {"paths", cylinder_paths, {0.23, 5.4}}}}};
   return all;
 }
 

@@ -1,19 +1,31 @@
 // The verification suite: runs studies, draws their figures, writes one report.
 //
 // Sample runs:
-//   verify --list
 //   verify jacobian
-//   verify orders paper --output results/verify
+//   verify orders/section paper --output results/verify
 //   verify cylinder stability --full --jobs 1
+//   verify --full --list --output results/parts
+//   verify --merge results/parts
 #include <iostream>
 
 #include "common/io/options.hpp"
 #include "common/io/progress.hpp"
+#include "common/io/shell.hpp"
+#include "verification/harness/merge.hpp"
 #include "verification/harness/runner.hpp"
 
 using namespace talus;
+using verification::Part;
+using verification::Study;
 
 namespace {
+
+struct Asked {
+  std::vector<std::string> names;
+  verification::RunOptions run{.full = false, .jobs = verification::default_jobs()};
+  bool list = false;
+  std::string merge, output = "results/verify";
+};
 
 std::string minutes(double value) {
   return value < 1 ? io::fixed(60 * value, 0) + " s"
@@ -21,11 +33,10 @@ std::string minutes(double value) {
 }
 
 // What runs and how long it takes, before it does.
-void announce(const std::vector<verification::Study>& chosen,
-              const verification::RunOptions& options) {
+void announce(const std::vector<Study>& chosen, const verification::RunOptions& options) {
   double all = 0;
-  for (const auto& study : chosen) {
-    const double each = study.minutes.of(options.full);
+  for (const Study& study : chosen) {
+    const double each = study.minutes().of(options.full);
     std::cout << study.name << ": about " << minutes(each) << " of CPU time\n";
     all += each;
   }
@@ -35,22 +46,98 @@ void announce(const std::vector<verification::Study>& chosen,
             << std::flush;
 }
 
-std::vector<verification::Study> chosen_studies(const std::vector<std::string>& names) {
-  std::vector<verification::Study> chosen;
-  std::string known;
-  std::vector<std::string> all;
-  for (const auto& study : verification::studies()) {
+// The studies and parts of these names, all if there are none.
+std::vector<Study> chosen_studies(const std::vector<std::string>& names) {
+  std::vector<std::string> studies, all;
+  std::vector<Study> chosen;
+  const auto is_named = [&](const std::string& name) {
+    return std::ranges::find(names, name) != names.end();
+  };
+  for (Study study : verification::studies()) {
+    studies.push_back(study.name);
     all.push_back(study.name);
-    known += (known.empty() ? "" : ", ") + study.name;
-    if (names.empty() || std::find(names.begin(), names.end(), study.name) != names.end())
-      chosen.push_back(study);
+    for (const Part& part : study.parts) all.push_back(study.name_of(part));
+    if (!names.empty() && !is_named(study.name))
+      std::erase_if(study.parts, [&](const Part& part) { return !is_named(study.name_of(part)); });
+    if (!study.parts.empty()) chosen.push_back(std::move(study));
   }
-  for (const std::string& name : names)
-    if (std::none_of(chosen.begin(), chosen.end(),
-                     [&](const auto& study) { return study.name == name; }))
-      throw io::UserError("STUDY: '" + name + "' is none of: " + known +
-                          io::did_you_mean(name, all));
+  for (const std::string& name : names) {
+    if (std::ranges::find(all, name) != all.end()) continue;
+    // Of a part that there is not, those of its study.
+    const std::string beginning = name.substr(0, name.find('/') + 1);
+    std::vector<std::string> known;
+    if (!beginning.empty())
+      std::ranges::copy_if(all, std::back_inserter(known),
+                           [&](const std::string& each) { return each.starts_with(beginning); });
+    std::string list;
+    for (const std::string& each : known.empty() ? studies : known)
+      list += (list.empty() ? "" : ", ") + each;
+    throw io::UserError("STUDY: '" + name + "' is none of: " + list + io::did_you_mean(name, all));
+  }
   return chosen;
+}
+
+// The parts as command lines, each with a folder of its own below `output`.
+void print_parts(const std::vector<Study>& chosen, const Asked& asked) {
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+  for (const Study& study : chosen)
+    for (const Part& part : study.parts) {
+      const std::string name = study.name_of(part);
+      std::string own = name;
+      std::ranges::replace(own, '/', '-');
+      std::cout << io::shell_word(program) << ' ' << name << (asked.run.full ? " --full" : "")
+                << " --output "
+                << io::shell_word((std::filesystem::path(asked.output) / own).string()) << '\n';
+    }
+}
+
+std::vector<verification::Written> run(const std::vector<Study>& chosen, const Asked& asked,
+                                       const io::ResultFolder& folder) {
+  announce(chosen, asked.run);
+  io::Progress progress;
+  return verification::run_studies(
+      chosen, asked.run, folder,
+      [&](const std::string& running, double done) { progress.show(running, done); });
+}
+
+// Where there are parts to merge, in which case nothing is run.
+verification::Found found_parts(const Asked& asked) {
+  std::vector<std::filesystem::path> folders;
+  for (const std::string& each : io::split(asked.merge, ',')) folders.emplace_back(each);
+  const auto found = verification::find_parts(verification::studies(), folders);
+  if (asked.run.full && !found.is_full)
+    throw io::UserError("--full: the parts to --merge were run without");
+  return found;
+}
+
+// Whether every check holds.
+bool report(const std::vector<verification::Written>& chapters, const Asked& asked,
+            const io::ResultFolder& folder) {
+  std::string command = "./run verify";
+  for (const std::string& name : asked.names) command += " " + name;
+  if (asked.run.full) command += " --full";
+  if (!asked.merge.empty()) command += " --merge " + io::shell_word(asked.merge);
+  folder.write("index.html", verification::html_report(chapters, command));
+  bool passed = true;
+  for (const auto& chapter : chapters) {
+    std::cout << chapter.name << ": " << chapter.held() << " of " << chapter.checks.size()
+              << " checks hold (" << io::fixed(chapter.seconds, chapter.seconds < 10 ? 1 : 0)
+              << " CPU s)\n"
+              << chapter.failures();
+    passed = passed && chapter.passed();
+  }
+  if (!io::gnuplot_is_available()) std::cout << "Figures skipped: gnuplot is missing.\n";
+  std::cout << "report: " << (folder.path() / "index.html").string() << '\n';
+  return passed;
+}
+
+// For --help: the studies, what they ask, and how long they take.
+std::string table_of_studies() {
+  std::string text = "STUDIES (CPU time, with --full):";
+  for (const Study& study : verification::studies())
+    text += "\n  " + study.name + std::string(11 - study.name.size(), ' ') + study.question + " (" +
+            minutes(study.minutes().quick) + ", " + minutes(study.minutes().full) + ")";
+  return text + "\nThe parts of a study, as --list tells them, are named like orders/section.";
 }
 
 }  // namespace
@@ -60,49 +147,36 @@ int main(int argc, char** argv) {
       "Verification of the μ(I) solvers: Jacobians, orders, the paper's figures, cost, "
       "stability",
       "verify"};
-  std::vector<std::string> names;
-  verification::RunOptions options{.full = false, .jobs = verification::default_jobs()};
-  bool list = false;
-  std::string output = "results/verify";
-  app.add_option("STUDY", names, "Studies to run (all if none is named)");
-  app.add_flag("--full", options.full, "Finer meshes and sweeps");
-  app.add_flag("--list", list, "Only list the studies, with the minutes of CPU time they take");
-  io::add_integer(app, "--jobs", options.jobs, "Studies at a time", 1, 64);
-  io::add_text(app, "--output", output, "Folder for the report and its files");
+  app.footer(table_of_studies());
+  Asked asked;
+  app.add_option("STUDY", asked.names, "Studies, or parts of them, to run (all if none is named)");
+  app.add_flag("--full", asked.run.full, "Finer meshes and sweeps");
+  io::add_integer(app, "--jobs", asked.run.jobs, "Parts of studies at a time", 1, 64);
+  app.add_flag(
+      "--list", asked.list,
+      "Only list the command lines of the parts, each with a folder of its own in --output, "
+      "or in results/parts");
+  io::add_text(app, "--merge", asked.merge,
+               "Run nothing; take the parts from these folders, joined by commas, or the folders "
+               "within")
+      ->expected(1, 1000);
+  io::add_text(app, "--output", asked.output, "Folder for the report and its files");
   return io::run_program(app, argc, argv, [&] {
-    io::refuse_unused(app, {{{"--full", "--jobs", "--output"}, !list, "--list"}});
-    const auto chosen = chosen_studies(names);
-    if (list) {
-      for (const auto& study : chosen)
-        std::cout << study.name << "\tabout " << minutes(study.minutes.quick) << ", with --full "
-                  << minutes(study.minutes.full) << "\t" << study.question << '\n';
+    const bool runs = asked.merge.empty();
+    io::refuse_unused(
+        app, {{{"--jobs", "--merge"}, !asked.list, "--list"}, {{"--jobs"}, runs, "--merge"}});
+    const auto chosen = chosen_studies(asked.names);
+    if (asked.list) {
+      if (app.count("--output") == 0) asked.output = "results/parts";
+      print_parts(chosen, asked);
       return 0;
     }
-    const io::ResultFolder folder(output);
+    const auto found = runs ? verification::Found{} : found_parts(asked);
+    if (!runs) asked.run.full = found.is_full;
+    const io::ResultFolder folder(asked.output);
     folder.remove_older({"index.html"});
-    announce(chosen, options);
-    std::vector<verification::Written> chapters;
-    {
-      io::Progress progress;
-      chapters = verification::run_studies(
-          chosen, options, folder,
-          [&](const std::string& running, double done) { progress.show(running, done); });
-    }
-    std::string command = "./run verify";
-    for (const std::string& name : names) command += " " + name;
-    if (options.full) command += " --full";
-    folder.write("index.html", verification::html_report(chapters, command));
-
-    bool passed = true;
-    for (const auto& chapter : chapters) {
-      std::cout << chapter.name << ": " << chapter.held << " of " << chapter.checks
-                << " checks hold (" << io::fixed(chapter.seconds, chapter.seconds < 10 ? 1 : 0)
-                << " CPU s)\n"
-                << chapter.failures;
-      passed = passed && chapter.passed();
-    }
-    if (!io::gnuplot_is_available()) std::cout << "Figures skipped: gnuplot is missing.\n";
-    std::cout << "report: " << (folder.path() / "index.html").string() << '\n';
-    return passed ? 0 : 1;
+    const auto chapters =
+        runs ? run(chosen, asked, folder) : verification::merge_studies(chosen, found, folder);
+    return report(chapters, asked, folder) ? 0 : 1;
   });
 }

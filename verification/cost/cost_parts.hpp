@@ -1,22 +1,21 @@
-// The parts of the cost study beside that of flow on a line.
+// The parts of the cost study.
 #pragma once
 
 #include "verification/harness/chapter.hpp"
 
 namespace talus::verification {
 
-/// Drag and U of the cylinder: meshes, half and full domain, plain and iterated penalty.
-void add_cylinder_cost(Chapter& chapter, const Context& context);
-/// Q* of the heap's section: meshes, walls, methods.
-void add_section_cost(Chapter& chapter, const Context& context);
-
-/// What an element of velocity-pressure flow costs, part by part, and a Newton step with it.
-void mixed_kernel_costs(Chapter& chapter, const Context& context);
-
-/// Error against time in 3D for every way to solve the linear systems.
-void mixed_work(Chapter& chapter, const Context& context);
-
+/// Error against CPU time on a line, what precision costs there, and an iteration an element.
+void line_costs(Chapter& chapter, const Context& context);
 /// A whole program, from process start to its files, on the wall.
-void add_program_cost(Chapter& chapter);
+void program_costs(Chapter& chapter, const Context& context);
+/// What an element of velocity-pressure flow costs, piece by piece, and a Newton step with it.
+void element_costs(Chapter& chapter, const Context& context);
+/// Error against time in 3D for every way to solve the linear systems.
+void linear_solver_costs(Chapter& chapter, const Context& context);
+/// Q* of the heap's section: meshes, walls, methods.
+void section_costs(Chapter& chapter, const Context& context);
+/// Drag and U of the cylinder: meshes, half and full domain, plain and iterated penalty.
+void cylinder_costs(Chapter& chapter, const Context& context);
 
 }  // namespace talus::verification

@@ -1,4 +1,5 @@
-// Work and precision: error against CPU time, the Pareto front, and the cheapest way to an error.
+// Work and precision on a line: error against CPU time, the Pareto front, and the cheapest way to
+// an error.
 #include <algorithm>
 #include <limits>
 
@@ -206,8 +207,7 @@ void precision_cost(Chapter& chapter) {
 
 }  // namespace
 
-Chapter cost_study(const Context& context) {
-  Chapter chapter{"cost", "What is the cheapest way to a given error?", {}, {}};
+void line_costs(Chapter& chapter, const Context& context) {
   chapter.text(
       "CPU time of the process, set-up included, best of several runs. Times depend on the "
       "machine; compare within one report only. No time is a pass or a failure here. The control "
@@ -236,7 +236,7 @@ Chapter cost_study(const Context& context) {
               .push_back({method.label, order_case.name, mesh.elements, solution.iterations(),
                           solution.seconds, oned::errors(solution, own).l2});
         }
-      context.progress(0.7 * static_cast<double>(++done) /
+      context.progress(0.9 * static_cast<double>(++done) /
                        static_cast<double>(scenes.size() * methods.size()));
     }
     mark_front(runs);
@@ -250,14 +250,6 @@ Chapter cost_study(const Context& context) {
   chapter.table(std::move(table));
   precision_cost(chapter);
   kernel_speed(chapter);
-  add_program_cost(chapter);
-  mixed_kernel_costs(chapter, context);
-  mixed_work(chapter, context);
-  context.progress(0.75);
-  add_section_cost(chapter, context);
-  context.progress(0.85);
-  add_cylinder_cost(chapter, context);
-  return chapter;
 }
 
 }  // namespace talus::verification

@@ -217,7 +217,7 @@ void penalties(Chapter& chapter) {
 
 }  // namespace
 
-void add_cylinder_cost(Chapter& chapter, const Context& context) {
+void cylinder_costs(Chapter& chapter, const Context& context) {
   if (context.full) check_limits(chapter);
   meshes(chapter, context);
   penalties(chapter);

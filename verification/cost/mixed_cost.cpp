@@ -153,7 +153,7 @@ std::vector<std::string> row_of(const std::string& name, const Costs& c) {
 
 }  // namespace
 
-void mixed_kernel_costs(Chapter& chapter, const Context& context) {
+void element_costs(Chapter& chapter, const Context& context) {
   io::Table table{
       "Velocity-pressure flow, one thread: CPU µs an element for residual, tangent, condensation "
       "with scatter, and all three; CPU seconds to factor, for one solve and for a Newton step (an "

@@ -134,7 +134,7 @@ Work solve_to(int n, const Way& way, const ManufacturedCase<3>& manufactured) {
 
 }  // namespace
 
-void mixed_work(Chapter& chapter, const Context& context) {
+void linear_solver_costs(Chapter& chapter, const Context& context) {
   const std::vector<int> sizes = context.full ? std::vector{4, 6, 8, 12} : std::vector{3, 4, 6};
   const ManufacturedCase<3> manufactured{mixed::manufactured_flows<3>().back(),
                                          rheology::ChauchatMedale{}, 1};

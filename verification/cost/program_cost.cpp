@@ -10,7 +10,7 @@
 namespace talus::verification {
 
 // The whole program, from process start to the files written, if it stands beside this one.
-void add_program_cost(Chapter& chapter) {
+void program_costs(Chapter& chapter, const Context&) {
   std::error_code error;
   const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
   io::Table table{"A whole program from process start to its files, milliseconds of wall time",

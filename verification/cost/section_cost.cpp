@@ -52,7 +52,7 @@ class Distances {
 
 }  // namespace
 
-void add_section_cost(Chapter& chapter, const Context& context) {
+void section_costs(Chapter& chapter, const Context& context) {
   const std::vector<int> acrosses =
       context.full ? std::vector{9, 18, 35, 70, 140} : std::vector{9, 18, 25};
   io::Figure figure{"cost_section", "", {}, 2};

@@ -12,9 +12,6 @@ namespace talus::verification {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double flowing = 0.054;
-constexpr double beyond = 0.07;  // the walls alone carry 0.065
-
 std::string percent(double share) {
   return io::rounded(100 * share, 2) + "%";
 }

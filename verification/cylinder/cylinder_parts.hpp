@@ -1,4 +1,4 @@
-// The parts of the cylinder's studies; and what is said of their runs, apart from the solves:
+// The parts of the cylinder's study; and what is said of their runs, apart from the solves:
 // checks and the sentences that rest on them.
 #pragma once
 
@@ -7,8 +7,10 @@
 
 namespace talus::verification {
 
-/// Below yield: mesh, halves, outlet.
-void cylinder_creep(Chapter& chapter, const Context& context);
+/// Below yield on finer and finer meshes.
+void cylinder_meshes(Chapter& chapter, const Context& context);
+/// Below yield: half and full domain, and the outlet.
+void cylinder_outlets(Chapter& chapter, const Context& context);
 /// Past yield: paths along the loading, folds, eq. (12) against the control law, what ends a sweep.
 void cylinder_paths(Chapter& chapter, const Context& context);
 
@@ -33,6 +35,9 @@ struct OutletPair {
 };
 /// Of F = 0.044; `all_open`: an outlet that leaves the pressure open as well.
 void judge_outlets(Chapter& chapter, const std::vector<OutletPair>& pairs, const Creep& all_open);
+
+/// Where a sweep up the loading goes to: to a flow, and further; the walls alone carry 0.065.
+inline constexpr double flowing = 0.054, beyond = 0.07;
 
 /// A way up the loading from creep: round folds or into them up to a flow, or with the primal-dual
 /// tangent, which needs fewer and longer steps, until nothing goes on.

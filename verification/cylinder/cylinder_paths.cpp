@@ -8,9 +8,6 @@
 namespace talus::verification {
 namespace {
 
-constexpr double flowing = 0.054;
-constexpr double beyond = 0.07;  // the walls alone carry 0.065
-
 Followed follow(const Sweep& sweep, int around, int max_points) {
   twod::Cylinder scene = cylinder_around(around, sweep.law);
   scene.inertia = sweep.inertia;
@@ -111,7 +108,9 @@ void cylinder_paths(Chapter& chapter, const Context& context) {
                    {}};
   io::Figure figure = empty_figure();
   std::string endings;
-  for (const Sweep& sweep : sweeps()) {
+  const std::vector<Sweep> all = sweeps();
+  std::size_t done = 0;
+  for (const Sweep& sweep : all) {
     const Followed f = follow(sweep, around, context.full ? 250 : 35);
     ends.rows.push_back({sweep.label(), solve::name_of(f.end), io::rounded(f.largest_loading(), 6),
                          std::to_string(f.points.size()), std::to_string(f.folds()),
@@ -122,6 +121,7 @@ void cylinder_paths(Chapter& chapter, const Context& context) {
     add_curves(figure, sweep, f);
     judge_sweep(chapter, sweep, f);
     endings += (endings.empty() ? "" : "; ") + how_it_ended(sweep, f);
+    context.progress(static_cast<double>(++done) / static_cast<double>(all.size()));
   }
   chapter.text(
       "At F ≈ 0.05 the material yields; the curve over the loading may be an S there, with two "

@@ -19,7 +19,7 @@ struct Check {
   bool passed() const { return value >= lower && value <= upper; }
 };
 
-/// One chapter of the report.
+/// A chapter of the report, or what a part of a study adds to it.
 struct Chapter {
   std::string name, title;
   std::vector<std::variant<std::string, io::Table, io::Figure>> blocks;  ///< text, tables, figures
@@ -40,36 +40,46 @@ struct Chapter {
   }
 };
 
-/// How much a study does, and whom it tells how far it is.
+/// How much a part does, and whom it tells how far it is.
 struct Context {
   bool full = false;
   std::function<void(double fraction)> progress = [](double) {};
 };
 
-/// CPU minutes that a study takes, measured on `measured_on`.
+/// CPU minutes that a part takes, measured on `measured_on`.
 struct Minutes {
   double quick = 0, full = 0;
   double of(bool is_full) const { return is_full ? full : quick; }
 };
 inline constexpr const char* measured_on = "one core of a 2-core virtual machine";
 
-struct Study {
-  std::string name, question;
-  std::function<Chapter(const Context&)> run;
+/// What one process does of a study: its share of the chapter.
+struct Part {
+  std::string name;  ///< of its own within the study; none if it is all of it
+  std::function<void(Chapter&, const Context&)> run;
   Minutes minutes = {};
   bool is_timing = false;  ///< CPU time is what it is about: nothing may run beside it
 };
 
+struct Study {
+  std::string name, question;
+  std::vector<Part> parts;  ///< in the order of the report
+
+  /// STUDY or STUDY/PART: what `verify` calls it, and the folder of its files.
+  std::string name_of(const Part& part) const {
+    return part.name.empty() ? name : name + "/" + part.name;
+  }
+  Minutes minutes() const {
+    Minutes sum;
+    for (const Part& part : parts) {
+      sum.quick += part.minutes.quick;
+      sum.full += part.minutes.full;
+    }
+    return sum;
+  }
+};
+
 /// The registry, in the order of the report.
 const std::vector<Study>& studies();
-
-Chapter jacobian_study(const Context& context);
-Chapter orders_study(const Context& context);
-Chapter paper_study(const Context& context);
-Chapter cost_study(const Context& context);
-Chapter stability_study(const Context& context);
-Chapter heap_study(const Context& context);
-Chapter ladder_study(const Context& context);
-Chapter cylinder_study(const Context& context);
 
 }  // namespace talus::verification

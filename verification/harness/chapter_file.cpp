@@ -1,5 +1,6 @@
 #include "verification/harness/chapter_file.hpp"
 
+#include <charconv>
 #include <fstream>
 #include <limits>
 
@@ -8,7 +9,17 @@
 namespace talus::verification {
 namespace {
 
+using nlohmann::json;
+
 constexpr const char* chapter_file = "chapter.json";
+
+// JSON has no number for NaN.
+double number_in(const json& text) {
+  const auto& digits = text.get_ref<const std::string&>();
+  double value = std::numeric_limits<double>::quiet_NaN();
+  std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  return value;
+}
 
 }  // namespace
 
@@ -16,7 +27,8 @@ void remove_chapter(const io::ResultFolder& folder) {
   folder.remove_older({chapter_file, "checks.csv", "table*.csv", "*.dat", "*.gp", "*.svg"});
 }
 
-void write_chapter_files(const io::ResultFolder& folder, const Chapter& chapter, double seconds) {
+void write_chapter_files(const io::ResultFolder& folder, const Chapter& chapter, bool is_full,
+                         double seconds) {
   io::Table checks{"", {"check", "value", "lower", "upper", "holds"}, {}};
   for (const auto& check : chapter.checks)
     checks.rows.push_back({check.what, io::exact(check.value), io::exact(check.lower),
@@ -30,9 +42,8 @@ void write_chapter_files(const io::ResultFolder& folder, const Chapter& chapter,
       io::write_figure(folder, *figure, "svg");
   }
   const Written written = write_chapter(chapter, folder.path());
-  const nlohmann::json contents = {{"title", written.title},       {"html", written.html},
-                                   {"checks", written.checks},     {"held", written.held},
-                                   {"failures", written.failures}, {"seconds", seconds}};
+  const json contents = {
+      {"full", is_full}, {"body", written.body}, {"checks", checks.rows}, {"seconds", seconds}};
   folder.write(chapter_file, contents.dump());
 }
 
@@ -40,22 +51,45 @@ bool has_chapter(const std::filesystem::path& folder) {
   return std::filesystem::exists(folder / chapter_file);
 }
 
-Written read_chapter(const std::string& name, const std::filesystem::path& folder) {
-  std::ifstream file(folder / chapter_file);
-  const auto contents = nlohmann::json::parse(file);
-  return {name,
-          contents.at("title"),
-          contents.at("html"),
-          contents.at("checks"),
-          contents.at("held"),
-          contents.at("failures"),
-          contents.at("seconds")};
+std::optional<Record> read_chapter(const std::filesystem::path& folder) {
+  try {
+    std::ifstream file(folder / chapter_file);
+    const json contents = json::parse(file);
+    Record record{{"", "", contents.at("body"), {}, contents.at("seconds")}, contents.at("full")};
+    for (const json& row : contents.at("checks"))
+      record.written.checks.push_back(
+          {row.at(0), number_in(row.at(1)), number_in(row.at(2)), number_in(row.at(3))});
+    return record;
+  } catch (const json::exception&) {
+    return std::nullopt;
+  }
 }
 
-Chapter chapter_of_failure(const Study& study, const std::string& reason) {
-  Chapter chapter{study.name, study.question, {}, {}};
-  chapter.check("study did not end: " + reason, std::numeric_limits<double>::quiet_NaN(), 0, 0);
+void copy_chapter(const std::filesystem::path& from, const io::ResultFolder& to) {
+  if (std::filesystem::equivalent(from, to.path())) return;
+  remove_chapter(to);
+  for (const auto& file : std::filesystem::directory_iterator(from))
+    if (file.is_regular_file())
+      std::filesystem::copy_file(file, to.path() / file.path().filename(),
+                                 std::filesystem::copy_options::overwrite_existing);
+}
+
+Chapter chapter_of_failure(const Study& study, const Part& part, const std::string& did_not) {
+  Chapter chapter{study.name_of(part), study.question, {}, {}};
+  chapter.check(chapter.name + " " + did_not, std::numeric_limits<double>::quiet_NaN(), 0, 0);
   return chapter;
+}
+
+std::vector<Written> chapters_of(const std::vector<Study>& studies,
+                                 const std::function<Written(const Study&, const Part&)>& written) {
+  std::vector<Written> chapters;
+  for (const Study& study : studies) {
+    Written& chapter = chapters.emplace_back();
+    chapter.name = study.name;
+    chapter.title = study.question;
+    for (const Part& part : study.parts) chapter.append(written(study, part));
+  }
+  return chapters;
 }
 
 }  // namespace talus::verification

@@ -1,5 +1,6 @@
 #include "verification/harness/html_report.hpp"
 
+#include <algorithm>
 #include <ctime>
 #include <fstream>
 #include <sstream>
@@ -95,12 +96,12 @@ std::string html_of(const io::Figure& figure, const std::string& chapter,
          figure.name + ".gp</code></figcaption></figure>\n";
 }
 
-std::string html_of(const std::vector<Check>& checks, const Written& written) {
+std::string html_of_checks(const Written& written) {
   std::string html = std::string("<details") + (written.passed() ? "" : " open") + "><summary>" +
-                     std::to_string(written.held) + " of " + std::to_string(written.checks) +
-                     " checks hold</summary><table>" +
+                     std::to_string(written.held()) + " of " +
+                     std::to_string(written.checks.size()) + " checks hold</summary><table>" +
                      "<tr><th>check<th>value<th>bounds<th></tr>\n";
-  for (const Check& check : checks)
+  for (const Check& check : written.checks)
     html += "<tr><td>" + escaped(check.what) + "<td>" + io::rounded(check.value, 5) + "<td>[" +
             io::rounded(check.lower, 5) + ", " + io::rounded(check.upper, 5) +
             "]<td class=" + (check.passed() ? "pass>holds" : "fail>FAILS") + "</tr>\n";
@@ -134,27 +135,41 @@ std::string page(const std::string& title, const std::string& heading, const std
 
 }  // namespace
 
+std::size_t Written::held() const {
+  return static_cast<std::size_t>(std::ranges::count_if(checks, &Check::passed));
+}
+
+std::string Written::failures() const {
+  std::string lines;
+  for (const Check& check : checks)
+    if (!check.passed())
+      lines += "  FAILS: " + check.what + " = " + io::rounded(check.value, 5) + ", not in [" +
+               io::rounded(check.lower, 5) + ", " + io::rounded(check.upper, 5) + "]\n";
+  return lines;
+}
+
+void Written::append(const Written& part) {
+  body += part.body;
+  checks.insert(checks.end(), part.checks.begin(), part.checks.end());
+  seconds += part.seconds;
+}
+
 Written write_chapter(const Chapter& chapter, const std::filesystem::path& folder) {
-  Written written{chapter.name, chapter.title, "", chapter.checks.size(), 0, "", 0};
-  for (const Check& check : chapter.checks) {
-    if (check.passed())
-      ++written.held;
-    else
-      written.failures += "  FAILS: " + check.what + " = " + io::rounded(check.value, 5) +
-                          ", not in [" + io::rounded(check.lower, 5) + ", " +
-                          io::rounded(check.upper, 5) + "]\n";
-  }
-  written.html = "<h2 id=\"" + chapter.name + "\">" + escaped(chapter.title) + "</h2>\n";
-  if (!chapter.checks.empty()) written.html += html_of(chapter.checks, written);
+  Written written{chapter.name, chapter.title, "", chapter.checks, 0};
   for (const auto& block : chapter.blocks) {
     if (const auto* text = std::get_if<std::string>(&block))
-      written.html += "<p>" + escaped(*text) + "</p>\n";
+      written.body += "<p>" + escaped(*text) + "</p>\n";
     else if (const auto* table = std::get_if<io::Table>(&block))
-      written.html += html_of(*table);
+      written.body += html_of(*table);
     else
-      written.html += html_of(std::get<io::Figure>(block), chapter.name, folder);
+      written.body += html_of(std::get<io::Figure>(block), chapter.name, folder);
   }
   return written;
+}
+
+std::string html_of(const Written& chapter) {
+  return "<h2 id=\"" + chapter.name + "\">" + escaped(chapter.title) + "</h2>\n" +
+         (chapter.checks.empty() ? "" : html_of_checks(chapter)) + chapter.body;
 }
 
 std::string html_report(const std::vector<Written>& chapters, const std::string& command) {
@@ -166,10 +181,10 @@ std::string html_report(const std::vector<Written>& chapters, const std::string&
     summary += "<tr><td><a href=\"#" + chapter.name + "\">" + chapter.name + "</a><td>" +
                escaped(chapter.title) +
                "<td class=" + (chapter.passed() ? "pass>all " : "fail>not all ") +
-               std::to_string(chapter.checks) + " hold<td>" +
+               std::to_string(chapter.checks.size()) + " hold<td>" +
                io::fixed(chapter.seconds, chapter.seconds < 10 ? 1 : 0) +
                "<td><code>./run verify " + chapter.name + "</code></tr>\n";
-    body += chapter.html;
+    body += html_of(chapter);
   }
   return page(
       "Talus: verification", "Talus: verification report",

@@ -9,19 +9,25 @@
 
 namespace talus::verification {
 
-/// A chapter as it is shown: its body in HTML, and its checks in lines of text.
+/// A chapter, or a part of one, as it is shown.
 struct Written {
-  std::string name, title, html;
-  std::size_t checks = 0, held = 0;
-  std::string failures;  ///< a line each
-  double seconds = 0;    ///< of CPU time that it took
+  std::string name, title, body;  ///< body: its text, tables and figures in HTML
+  std::vector<Check> checks;
+  double seconds = 0;  ///< of CPU time that it took
 
-  bool passed() const { return held == checks; }
+  std::size_t held() const;
+  bool passed() const { return held() == checks.size(); }
+  std::string failures() const;  ///< a line each
+  /// A further part of the chapter, behind what there is.
+  void append(const Written& part);
 };
 
-/// Every figure (SVG), table and check of a chapter. A figure that gnuplot could not draw, in
-/// `folder`, is reported as skipped.
+/// Every figure (SVG) and table of a chapter. A figure that gnuplot could not draw, in `folder`, is
+/// reported as skipped.
 Written write_chapter(const Chapter& chapter, const std::filesystem::path& folder);
+
+/// Title, checks and body.
+std::string html_of(const Written& chapter);
 
 /// All chapters, the commands to regenerate them, and the machine. `command` is what was run.
 std::string html_report(const std::vector<Written>& chapters, const std::string& command);

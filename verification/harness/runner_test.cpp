@@ -1,4 +1,4 @@
-// The processes of the studies: side by side, reported in order, none left behind, none believed
+// The processes of the parts: side by side, reported in order, none left behind, none believed
 // that did not end.
 #include "verification/harness/runner.hpp"
 
@@ -17,6 +17,7 @@
 using namespace talus;
 using verification::Chapter;
 using verification::Context;
+using verification::Part;
 using verification::Study;
 
 struct Folder {
@@ -29,14 +30,19 @@ namespace {
 
 const auto silent = [](const std::string&, double) {};
 
+// A study that is one part.
+Study study_of(const std::string& name, const std::function<void(Chapter&, const Context&)>& run) {
+  return {name, "Why " + name + "?", {{"", run}}};
+}
+
+void add_good(Chapter& chapter, const Context& context) {
+  context.progress(0.5);
+  chapter.check("not a number", std::nan(""), 0, 1);
+  chapter.check("good", 1, 0, 2);
+}
+
 Study good(const std::string& name) {
-  return {name, "Why " + name + "?", [name](const Context& context) {
-            context.progress(0.5);
-            Chapter chapter{name, "Why " + name + "?", {}, {}};
-            chapter.check("not a number", std::nan(""), 0, 1);
-            chapter.check("good", 1, 0, 2);
-            return chapter;
-          }};
+  return study_of(name, add_good);
 }
 
 bool is_alive(pid_t process) {
@@ -57,36 +63,59 @@ bool comes_true(const Condition& condition) {
 
 BOOST_FIXTURE_TEST_CASE(studies_run_side_by_side_and_are_reported_in_their_order, Folder) {
   std::vector<Study> studies = {good("first"), good("second"), good("third")};
-  studies.front().is_timing = true;
+  studies.front().parts.front().is_timing = true;
   double last = 0;
   const auto written = verification::run_studies(
       studies, {}, folder, [&](const std::string&, double fraction) { last = fraction; });
   BOOST_REQUIRE(written.size() == 3U);
   for (std::size_t i = 0; i < studies.size(); ++i) {
     BOOST_TEST(written[i].name == studies[i].name);
-    BOOST_TEST(written[i].held == 1U);
-    BOOST_TEST(written[i].checks == 2U);
-    BOOST_TEST(written[i].failures.find("not a number") != std::string::npos);
+    BOOST_TEST(written[i].held() == 1U);
+    BOOST_TEST(written[i].checks.size() == 2U);
+    BOOST_TEST(written[i].failures().find("not a number") != std::string::npos);
   }
   BOOST_TEST(last > 0);
 }
 
-BOOST_FIXTURE_TEST_CASE(a_study_that_does_not_end_is_a_failed_check_and_the_others_are_written,
+BOOST_FIXTURE_TEST_CASE(parts_are_reported_in_their_order_whatever_order_they_run_in, Folder) {
+  const auto part = [](const std::string& name, double minutes, bool is_timing) {
+    return Part{name,
+                [name](Chapter& chapter, const Context&) {
+                  chapter.text("This is " + name + ".");
+                  chapter.check(name, 1, 0, 2);
+                },
+                {minutes, minutes},
+                is_timing};
+  };
+  const Study study{
+      "study", "Why?", {part("timing", 1, true), part("short", 1, false), part("long", 2, false)}};
+  const auto written = verification::run_studies({study}, {.jobs = 1}, folder, silent);
+  BOOST_REQUIRE(written.size() == 1U);
+  BOOST_REQUIRE(written[0].checks.size() == 3U);
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string& name = study.parts[i].name;
+    BOOST_TEST(written[0].checks[i].what == name);
+    const std::size_t next = written[0].body.find("This is " + name);
+    BOOST_TEST(next != std::string::npos);
+    BOOST_TEST(next >= at);
+    at = next;
+    BOOST_TEST(std::filesystem::exists(folder.path() / "study" / name / "checks.csv"));
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(a_part_that_does_not_end_is_a_failed_check_and_the_others_are_written,
                         Folder) {
   const auto killed_by = [](int signal) {
-    return [signal](const Context&) -> Chapter {
-      raise(signal);
-      return {};
-    };
+    return [signal](Chapter&, const Context&) { raise(signal); };
   };
   const std::vector<Study> studies = {
-      {"killed", "Is it?", killed_by(SIGKILL)},
-      {"crashing", "Does it?", killed_by(SIGSEGV)},
-      {"throwing", "Does it?",
-       [](const Context&) -> Chapter { throw std::runtime_error("no mesh"); }},
-      {"unwritable", "Is it?", [](const Context&) -> Chapter { throw io::UserError("full disk"); }},
-      {"leaving", "Does it?", [](const Context&) -> Chapter { _exit(7); }},
-      {"silent", "Is it?", [](const Context&) -> Chapter { _exit(0); }},
+      study_of("killed", killed_by(SIGKILL)),
+      study_of("crashing", killed_by(SIGSEGV)),
+      study_of("throwing", [](Chapter&, const Context&) { throw std::runtime_error("no mesh"); }),
+      study_of("unwritable", [](Chapter&, const Context&) { throw io::UserError("full disk"); }),
+      study_of("leaving", [](Chapter&, const Context&) { _exit(7); }),
+      study_of("silent", [](Chapter&, const Context&) { _exit(0); }),
       good("good")};
   const auto written = verification::run_studies(studies, {}, folder, silent);
   const std::vector<std::string> reasons = {
@@ -95,27 +124,27 @@ BOOST_FIXTURE_TEST_CASE(a_study_that_does_not_end_is_a_failed_check_and_the_othe
   BOOST_REQUIRE(written.size() == studies.size());
   for (std::size_t i = 0; i < reasons.size(); ++i) {
     BOOST_TEST(!written[i].passed(), studies[i].name);
-    BOOST_TEST(written[i].failures.find("study did not end: " + reasons[i]) != std::string::npos,
-               written[i].failures);
-    BOOST_TEST(written[i].html.find(reasons[i]) != std::string::npos);
+    BOOST_TEST(written[i].failures().find(studies[i].name + " did not end: " + reasons[i]) !=
+                   std::string::npos,
+               written[i].failures());
+    BOOST_TEST(verification::html_of(written[i]).find(reasons[i]) != std::string::npos);
     BOOST_TEST(std::filesystem::exists(folder.path() / studies[i].name / "checks.csv"));
   }
-  BOOST_TEST(written.back().held == 1U);
+  BOOST_TEST(written.back().held() == 1U);
   BOOST_TEST(waitpid(-1, nullptr, WNOHANG) == -1);  // nobody is left
 }
 
 BOOST_FIXTURE_TEST_CASE(an_older_chapter_is_not_read_as_this_runs, Folder) {
   verification::run_studies({good("study")}, {}, folder, silent);
   std::ofstream(folder.path() / "study" / "notes.txt") << "of the user";
-  Study dead = good("study");
-  dead.run = [](const Context&) -> Chapter { _exit(0); };
+  const Study dead = study_of("study", [](Chapter&, const Context&) { _exit(0); });
   const auto written = verification::run_studies({dead}, {}, folder, silent);
-  BOOST_TEST(written[0].held == 0U);
+  BOOST_TEST(written[0].held() == 0U);
   BOOST_TEST(std::filesystem::exists(folder.path() / "study" / "notes.txt"));
 }
 
-BOOST_FIXTURE_TEST_CASE(no_study_outlives_a_run_that_is_killed, Folder) {
-  // The study tells its number; its grandparent, this test, adopts it if it is left behind.
+BOOST_FIXTURE_TEST_CASE(no_part_outlives_a_run_that_is_killed, Folder) {
+  // The part tells its number; its grandparent, this test, adopts it if it is left behind.
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   for (const int signal : {SIGTERM, SIGINT, SIGKILL}) {
     const auto number = folder.path() / "number";
@@ -123,10 +152,10 @@ BOOST_FIXTURE_TEST_CASE(no_study_outlives_a_run_that_is_killed, Folder) {
     const pid_t run = fork();
     if (run == 0) {
       std::signal(signal, SIG_DFL);  // a background shell ignores SIGINT
-      const Study endless{"endless", "Is it?", [&](const Context&) -> Chapter {
-                            folder.write("number", std::to_string(getpid()));
-                            for (;;) pause();
-                          }};
+      const Study endless = study_of("endless", [&](Chapter&, const Context&) {
+        folder.write("number", std::to_string(getpid()));
+        for (;;) pause();
+      });
       try {
         verification::run_studies({endless}, {}, folder, silent);
       } catch (...) {
@@ -151,10 +180,7 @@ BOOST_FIXTURE_TEST_CASE(no_study_outlives_a_run_that_is_killed, Folder) {
 
 BOOST_AUTO_TEST_CASE(the_expected_time_is_that_of_the_schedule) {
   const auto lasting = [](double minutes, bool is_timing) {
-    Study study = good("study");
-    study.minutes = {minutes, 10 * minutes};
-    study.is_timing = is_timing;
-    return study;
+    return Study{"study", "Why?", {{"", add_good, {minutes, 10 * minutes}, is_timing}}};
   };
   const std::vector<Study> studies = {lasting(1, false), lasting(2, true), lasting(1, false),
                                       lasting(3, false)};

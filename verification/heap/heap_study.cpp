@@ -1,12 +1,13 @@
 // The heap's cross-section: mesh error and λr error told apart, work over the angles, Figs 10
 // and 11.
+#include "verification/heap/heap_study.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "twod/flow_rate_search.hpp"
 #include "twod/section_report.hpp"
-#include "verification/harness/chapter.hpp"
 #include "verification/harness/fit.hpp"
 #include "verification/harness/methods.hpp"
 
@@ -224,9 +225,7 @@ void flow_rates(Chapter& chapter, const Context& context) {
 
 }  // namespace
 
-Chapter heap_study(const Context& context) {
-  Chapter chapter{
-      "heap", "What does the heap's cross-section owe to its mesh, and what to λr?", {}, {}};
+void heap_study(Chapter& chapter, const Context& context) {
   chapter.text(
       "The heap as the smallest model that holds it: one scalar problem on half of the section. "
       "The interior point has no λr, so mesh error and λr error are measured, not extrapolated.");
@@ -237,7 +236,6 @@ Chapter heap_study(const Context& context) {
   work(chapter, context);
   context.progress(0.8);
   flow_rates(chapter, context);
-  return chapter;
 }
 
 }  // namespace talus::verification

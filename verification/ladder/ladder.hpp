@@ -43,6 +43,9 @@ struct Rung {
   const RungCase& largest() const;  ///< the last one with the same start
 };
 
+/// All rungs: they share an overview.
+void ladder_study(Chapter& chapter, const Context& context);
+
 /// Chute and inclined plane on a line against the plane and against space.
 std::vector<Rung> line_rungs(const Context& context);
 /// The cylinder in the plane against one layer of H27 elements.

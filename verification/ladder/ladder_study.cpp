@@ -136,8 +136,7 @@ void check(Chapter& chapter, const Rung& rung) {
 
 }  // namespace
 
-Chapter ladder_study(const Context& context) {
-  Chapter chapter{"ladder", "Which model does a scene need, and what do richer ones cost?", {}, {}};
+void ladder_study(Chapter& chapter, const Context& context) {
   // A scene's rungs from its poorest model up; a further scene is one more entry.
   const std::vector<std::function<std::vector<Rung>(const Context&)>> registry = {
       line_rungs, heap_rungs, cylinder_rungs};
@@ -167,7 +166,6 @@ Chapter ladder_study(const Context& context) {
       "solves from nothing. A layer above yield starts from the plane's solution pushed off by "
       "1e-5, sideways too, and returns to it; its time is left out of the ratios.");
   for (const Rung& rung : rungs) chapter.table(table_of(rung));
-  return chapter;
 }
 
 }  // namespace talus::verification

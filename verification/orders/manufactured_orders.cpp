@@ -107,8 +107,8 @@ std::string errors_at_large_inertial_numbers(const MeshFamily<2>& family) {
 }
 
 // Every family of meshes, with the figure of the paper's own law.
-void two_dimensions(Chapter& chapter, const std::vector<MeshFamily<2>>& families,
-                    const Context& context) {
+void families_of_meshes(Chapter& chapter, const std::vector<MeshFamily<2>>& families,
+                        const Context& context) {
   io::Table table{
       "Velocity-pressure flow: fitted orders (3, 2, 2) and errors on the finest mesh", header, {}};
   io::Figure figure{
@@ -143,10 +143,31 @@ void two_dimensions(Chapter& chapter, const std::vector<MeshFamily<2>>& families
   chapter.table(std::move(table));
 }
 
+}  // namespace
+
+void plane_orders(Chapter& chapter, const Context& context) {
+  std::vector<int> sizes = {8, 12, 18, 27};
+  if (context.full) sizes.push_back(40);
+  const auto families = mesh_families(sizes);
+  families_of_meshes(chapter, families, context);
+  chapter.text(
+      "Velocity and pressure are prescribed as smooth functions, and the body force that makes "
+      "them a solution follows from automatic differentiation; one side carries the exact "
+      "traction. Distorted meshes are distorted anew on every level, so that their elements do not "
+      "tend to parallelograms; on the sector they do, and there even a mapped pressure would keep "
+      "its order. The pressures keep I inside the well-posed band. Beyond it, under a fifth of the "
+      "pressure (I up to 1.6), no order is asked for, since ill-posedness is no fault of the "
+      "elements: there the errors of u in L2 on the stretched meshes are " +
+      errors_at_large_inertial_numbers(families[1]) + ".");
+}
+
 // Distorted hexahedra, with inertia. A quick study has the finest mesh under the paper's own law
 // only, and the other laws in one of the flows.
-void three_dimensions(Chapter& chapter, const Context& context) {
-  io::Table table{"The same in three dimensions, H27/P1", header, {}};
+void space_orders(Chapter& chapter, const Context& context) {
+  io::Table table{
+      "The same in three dimensions, H27/P1: fitted orders, and errors on the finest mesh",
+      header,
+      {}};
   const auto& flows = mixed::manufactured_flows<3>();
   for (const auto& exact : flows)
     for (const auto& law : rheology::regularisations()) {
@@ -161,25 +182,6 @@ void three_dimensions(Chapter& chapter, const Context& context) {
   check_mapped_pressure<3>(chapter, table, {flows.back(), rheology::ChauchatMedale{}, 1},
                            brick_family({2, 4, 6}), 0.5, 2 - 2 * order_tolerance);
   chapter.table(std::move(table));
-}
-
-}  // namespace
-
-void manufactured_orders(Chapter& chapter, const Context& context) {
-  std::vector<int> sizes = {8, 12, 18, 27};
-  if (context.full) sizes.push_back(40);
-  const auto families = mesh_families(sizes);
-  two_dimensions(chapter, families, context);
-  three_dimensions(chapter, context);
-  chapter.text(
-      "Velocity and pressure are prescribed as smooth functions, and the body force that makes "
-      "them a solution follows from automatic differentiation; one side carries the exact "
-      "traction. Distorted meshes are distorted anew on every level, so that their elements do not "
-      "tend to parallelograms; on the sector they do, and there even a mapped pressure would keep "
-      "its order. The pressures keep I inside the well-posed band. Beyond it, under a fifth of the "
-      "pressure (I up to 1.6), no order is asked for, since ill-posedness is no fault of the "
-      "elements: there the errors of u in L2 on the stretched meshes are " +
-      errors_at_large_inertial_numbers(families[1]) + ".");
 }
 
 }  // namespace talus::verification

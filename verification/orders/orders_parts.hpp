@@ -5,14 +5,19 @@
 
 namespace talus::verification {
 
-/// The orders study of these scenes: every case they declare, against their exact solutions.
-Chapter orders_of(const std::vector<oned::ShearScene>& scenes, const Context& context);
+/// Every case that these scenes declare, against their exact solutions.
+void orders_of(Chapter& chapter, const std::vector<oned::ShearScene>& scenes,
+               const Context& context);
 
-/// Adds the order of Q* of the heap's section, for every method and both walls.
-void add_section_orders(Chapter& chapter, const Context& context);
+/// That of every scene on a line, and the error on the graded mesh.
+void line_orders(Chapter& chapter, const Context& context);
 
-/// Every manufactured flow, law and mesh family, with and without inertia. A part of them if the
-/// study is quick.
-void manufactured_orders(Chapter& chapter, const Context& context);
+/// The order of Q* of the heap's section, for every method and both walls.
+void section_orders(Chapter& chapter, const Context& context);
+
+/// Manufactured flows in the plane and in space: every flow and law, in the plane every mesh family
+/// too, with and without inertia. A part of them if the study is quick.
+void plane_orders(Chapter& chapter, const Context& context);
+void space_orders(Chapter& chapter, const Context& context);
 
 }  // namespace talus::verification

@@ -1,4 +1,4 @@
-// Errors against element size: fitted orders for every case a scene declares.
+// Errors on a line against element size: fitted orders for every case a scene declares.
 #include <cmath>
 
 #include "verification/harness/fit.hpp"
@@ -205,8 +205,8 @@ void study_case(Chapter& chapter, io::Table& table, io::Figure& figure,
 
 }  // namespace
 
-Chapter orders_of(const std::vector<oned::ShearScene>& scenes, const Context& context) {
-  Chapter chapter{"orders", "Does the error fall with the element size as theory says?", {}, {}};
+void orders_of(Chapter& chapter, const std::vector<oned::ShearScene>& scenes,
+               const Context& context) {
   chapter.text(
       "Quadratic elements, exact solutions (17) and (18). Three norms are true ones; the paper's "
       "“RMS” is the root mean square divided by sqrt(N), which adds ½ to every order. Bagnold's "
@@ -223,44 +223,42 @@ Chapter orders_of(const std::vector<oned::ShearScene>& scenes, const Context& co
       "1e-14, round-off), exceeds 3% of the mesh error in the same norm are left out.",
       {"case", "method", "L2", "maximum", "nodal maximum", "paper's RMS"},
       {}};
-  struct Part {
+  struct Drawn {
     oned::ShearScene scene;
     Compared compared;
     std::string figure, caption;
   };
-  std::vector<Part> parts;
+  std::vector<Drawn> all;
   for (const auto& scene : scenes) {
-    parts.push_back({scene, tending_to_eq_4(), "orders_" + scene.name,
-                     "The interior point has no λr and so no floor; a regularised law leaves the "
-                     "mesh order where λr takes over (ringed points are left out of the fits)."});
+    all.push_back({scene, tending_to_eq_4(), "orders_" + scene.name,
+                   "The interior point has no λr and so no floor; a regularised law leaves the "
+                   "mesh order where λr takes over (ringed points are left out of the fits)."});
     for (const NamedMethod& method : newton_methods(1e-14))
       if (!has_yield_stress(method))
-        parts.push_back({scene_for(scene, method), tending_to_limit_of(method),
-                         "orders_" + scene.name + "_" + method.label,
-                         "The control law " + method.label + " against its own exact profile."});
+        all.push_back({scene_for(scene, method), tending_to_limit_of(method),
+                       "orders_" + scene.name + "_" + method.label,
+                       "The control law " + method.label + " against its own exact profile."});
   }
   std::size_t cases = 0, done = 0;
-  for (const Part& part : parts) cases += part.scene.order_cases.size();
-  for (const Part& part : parts) {
-    const oned::ShearScene& scene = part.scene;
-    io::Figure figure{part.figure,
-                      "Errors of the " + scene.title + " against element size. " + part.caption,
+  for (const Drawn& each : all) cases += each.scene.order_cases.size();
+  for (const Drawn& each : all) {
+    const oned::ShearScene& scene = each.scene;
+    io::Figure figure{each.figure,
+                      "Errors of the " + scene.title + " against element size. " + each.caption,
                       {},
                       2};
     for (oned::OrderCase order_case : scene.order_cases) {
       if (context.full) order_case.elements.push_back(2 * order_case.elements.back());
-      study_case(chapter, table, figure, scene, order_case, part.compared);
+      study_case(chapter, table, figure, scene, order_case, each.compared);
       context.progress(static_cast<double>(++done) / static_cast<double>(cases));
     }
     chapter.figure(std::move(figure));
   }
   chapter.table(std::move(table));
-
-  return chapter;
 }
 
-Chapter orders_study(const Context& context) {
-  Chapter chapter = orders_of(oned::scenes(), context);
+void line_orders(Chapter& chapter, const Context& context) {
+  orders_of(chapter, oned::scenes(), context);
   // The reference value of the graded mesh.
   const auto bagnold = scene_of(oned::Bagnold{});
   const auto solution =
@@ -268,9 +266,6 @@ Chapter orders_study(const Context& context) {
                    newton_method(rheology::ChauchatMedale{}, bagnold.lambda_r).options);
   chapter.check("bagnold, graded (exponent 2), 160 elements: L2 error",
                 oned::errors(solution, bagnold).l2, 0.9 * 2.5e-8, 1.1 * 2.5e-8);
-  add_section_orders(chapter, context);
-  manufactured_orders(chapter, context);
-  return chapter;
 }
 
 }  // namespace talus::verification

@@ -7,7 +7,7 @@
 
 namespace talus::verification {
 
-void add_section_orders(Chapter& chapter, const Context& context) {
+void section_orders(Chapter& chapter, const Context& context) {
   constexpr double lambda_r = 1e-6;
   const int coarsest = context.full ? 24 : 12;
   io::Table table{

@@ -37,8 +37,11 @@ void add_bagnold(Chapter& chapter, io::Table& findings, const oned::ShearScene& 
 void add_space(Chapter& chapter, io::Table& findings, const oned::ShearScene& chute,
                const oned::ShearScene& bagnold);
 
-/// The study of these scenes, which are the paper's own.
-Chapter paper_of(const oned::ShearScene& chute, const oned::ShearScene& bagnold,
-                 const Context& context);
+/// The study of these scenes, in a chapter that is empty.
+void paper_of(Chapter& chapter, const oned::ShearScene& chute, const oned::ShearScene& bagnold,
+              const Context& context);
+
+/// That of the paper's own.
+void paper_study(Chapter& chapter, const Context& context);
 
 }  // namespace talus::verification

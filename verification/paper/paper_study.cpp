@@ -3,9 +3,8 @@
 
 namespace talus::verification {
 
-Chapter paper_of(const oned::ShearScene& chute, const oned::ShearScene& bagnold,
-                 const Context& context) {
-  Chapter chapter{"paper", "Which figures of the paper do we reproduce, and which not?", {}, {}};
+void paper_of(Chapter& chapter, const oned::ShearScene& chute, const oned::ShearScene& bagnold,
+              const Context& context) {
   chapter.text(
       "Chauchat & Médale's one-dimensional results with their parameters, in one dimension; Fig. 7 "
       "and Table 1 in three as well, on meshes one element thick in the other directions as "
@@ -17,11 +16,10 @@ Chapter paper_of(const oned::ShearScene& chute, const oned::ShearScene& bagnold,
   context.progress(0.9);
   add_space(chapter, findings, chute, bagnold);
   chapter.blocks.insert(chapter.blocks.begin() + 1, findings);
-  return chapter;
 }
 
-Chapter paper_study(const Context& context) {
-  return paper_of(scene_of(oned::Chute{}), scene_of(oned::Bagnold{}), context);
+void paper_study(Chapter& chapter, const Context& context) {
+  paper_of(chapter, scene_of(oned::Chute{}), scene_of(oned::Bagnold{}), context);
 }
 
 }  // namespace talus::verification

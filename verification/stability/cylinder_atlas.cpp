@@ -217,7 +217,7 @@ void judge_atlas(Chapter& chapter, const std::vector<LambdaPath>& paths) {
       "than the path leads to: compare U.");
 }
 
-void add_cylinder_atlas(Chapter& chapter, const Context& context) {
+void cylinder_atlas(Chapter& chapter, const Context& context) {
   const std::vector<LambdaPath> all = paths(context);
   judge_atlas(chapter, all);
   draw(chapter, all);

@@ -87,7 +87,7 @@ void judge_penalties(Chapter& chapter, const PenaltyPaths& paths) {
                         "1e-8 to 1e-4, but a check of that fails."));
 }
 
-void add_cylinder_penalties(Chapter& chapter, const Context& context) {
+void cylinder_penalties(Chapter& chapter, const Context& context) {
   const double lambda_r = context.full ? 1e-6 : 1e-4;
   io::Table table{
       "Penalty past yield: paths in λr from 0.1 to " + short_power(lambda_r) +

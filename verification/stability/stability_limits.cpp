@@ -93,7 +93,7 @@ std::vector<std::string> discrete_limits(const oned::ShearScene& scene, int elem
 
 }  // namespace
 
-void add_limits(Chapter& chapter, const Context& context) {
+void limits(Chapter& chapter, const Context& context) {
   chapter.text(
       "Past the load μ2 p no steady flow exists, but a mesh tests the stress at its quadrature "
       "points only, which may stay inside. Then Newton returns a converged number for a flow that "

@@ -11,12 +11,16 @@ namespace talus::verification {
 std::vector<double> swept_lambda_r();
 
 /// How every solve ends over λr and the number of elements, for every regularisation and variant.
-void add_maps(Chapter& chapter, const Context& context);
+void maps(Chapter& chapter, const Context& context);
+/// Factorisations of the interior point from rest on every family of meshes.
+void interior_point_counts(Chapter& chapter, const Context& context);
 /// Loads swept through both limits of existence; certificates against exact limits.
-void add_limits(Chapter& chapter, const Context& context);
+void limits(Chapter& chapter, const Context& context);
+/// Final residual of plain double precision against the computed floor.
+void round_off_floor(Chapter& chapter, const Context& context);
 /// Paths in λr of the flow around the cylinder past yield: meshes, pressures.
-void add_cylinder_atlas(Chapter& chapter, const Context& context);
+void cylinder_atlas(Chapter& chapter, const Context& context);
 /// The same under plain and iterated penalties.
-void add_cylinder_penalties(Chapter& chapter, const Context& context);
+void cylinder_penalties(Chapter& chapter, const Context& context);
 
 }  // namespace talus::verification

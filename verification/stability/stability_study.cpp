@@ -1,4 +1,4 @@
-// Where solves end, and how: maps over λr and mesh, the limits of existence, the round-off floor.
+// What the interior point takes from rest, and where Newton in plain double precision stops.
 #include <algorithm>
 #include <limits>
 
@@ -7,9 +7,7 @@
 #include "verification/stability/stability_parts.hpp"
 
 namespace talus::verification {
-namespace {
 
-// Factorisations of the interior point from rest on every family of meshes.
 void interior_point_counts(Chapter& chapter, const Context& context) {
   constexpr int most_allowed = 15;
   const int most_elements = context.full ? 5120 : 1280;
@@ -39,8 +37,7 @@ void interior_point_counts(Chapter& chapter, const Context& context) {
   chapter.table(std::move(table));
 }
 
-// Final residual of plain double precision against the computed floor.
-void floor(Chapter& chapter) {
+void round_off_floor(Chapter& chapter, const Context&) {
   io::Panel panel{"where Newton in plain double stops",
                   "computed floor",
                   "final residual",
@@ -92,28 +89,6 @@ void floor(Chapter& chapter) {
            known(largest_compensated, 2) + " at most.",
        {panel},
        1});
-}
-
-}  // namespace
-
-Chapter stability_study(const Context& context) {
-  Chapter chapter{"stability", "Where do the methods fail, and do they say so?", {}, {}};
-  chapter.text(
-      "Every cell of the maps is one solve from rest without fallback. A success is checked "
-      "against "
-      "the interior point on the same mesh, or, for the control law without yield stress, against "
-      "itself at λr = 1e-14: a wrong one would be silent. The limits of rest are those of eq. (4); "
-      "the "
-      "control law is left out of them because it is never at rest. The ends are explained in "
-      "docs/theory.md.");
-  add_maps(chapter, context);
-  interior_point_counts(chapter, context);
-  add_limits(chapter, context);
-  context.progress(0.95);
-  floor(chapter);
-  add_cylinder_atlas(chapter, context);
-  add_cylinder_penalties(chapter, context);
-  return chapter;
 }
 
 }  // namespace talus::verification

@@ -61,8 +61,9 @@ std::string write_files(const io::ResultFolder& folder, const Kind& kind, const 
   chapter.text(count_of_ends(all_rows(table)) + ".");
   chapter.table(cases);
   folder.write("index.html",
-               verification::html_page(kind.name + " of " + table.program.name(), command,
-                                       verification::write_chapter(chapter, folder.path()).html));
+               verification::html_page(
+                   kind.name + " of " + table.program.name(), command,
+                   verification::html_of(verification::write_chapter(chapter, folder.path()))));
   folder.write("study.json", as_json(kind, table, findings, command).dump(1) + "\n");
   return " cases.csv study.json index.html" + drawn;
 }
