@@ -8,8 +8,8 @@ const scene::Description& description() {
       .title = "flow down a channel past a cylinder",
       .models = {"plane"},
       .mesh_option = "--around",
-      .problem_options = {"--loading", "--sweep", "--friction", "--outlet", "--outflow", "--full",
-                          "--no-inertia"},
+      .problem_options = {"--loading", "--sweep", "--regularisation", "--friction", "--outlet",
+                          "--outflow", "--full", "--no-inertia"},
       .main_quantity = "drag",
       .quantities = {
           {"loading", "1", "F = φρgD/p_ext"},

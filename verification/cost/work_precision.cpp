@@ -60,28 +60,31 @@ std::vector<WorkQuestion> work_questions(bool full) {
     return std::string(full ? whole : quick);
   };
   const std::string line = " --method newton,interior-point --lambda-r 1e-8 --elements " +
-                           sized("10:80:x2", "10:640:x2") + laws;
+                           sized("10,40", "10:640:x2") + laws;
   const std::string plane = " --lambda-r 1e-8 --elements " + sized("4,8", "4:16:x2") + laws;
   const std::string space = " --lambda-r 1e-8 --elements " + sized("2,4", "2:8:x2") + laws;
-  const std::string around = " --lambda-r 1e-4 --around " + sized("16,24,32", "16,24,32,48,80");
-  return {{"chute, line", "chute", "--model line" + line},
-          {"chute, plane", "chute", "--model plane" + plane},
-          {"chute, space", "chute", "--model space" + space},
-          {"bagnold, line", "bagnold", "--model line" + line},
-          {"bagnold, plane", "bagnold", "--model plane" + plane},
-          {"bagnold, space", "bagnold", "--model space" + space},
-          {"heap, section", "heap",
-           "--model section --method newton,interior-point --elements " +
-               sized("5x7,10x14,20x28", "9x13,18x25,35x50,70x100") + laws},
-          {"heap, space", "heap",
-           "--model space --elements " +
-               sized("1x3x4,1x5x7,1x9x13", "1x5x7,1x9x13,1x18x25,1x35x50") + laws},
-          {"manufactured, plane", "manufactured",
-           "--model plane --elements " + sized("4,8,16", "4:32:x2") + laws},
-          {"manufactured, space", "manufactured",
-           "--model space --elements " + sized("2,4", "2:8:x2") + laws},
-          {"cylinder, creep", "cylinder", "--loading 0.03" + around + laws},
-          {"cylinder, above yield", "cylinder", "--loading 0.052" + around + laws}};
+  const std::string around = " --lambda-r 1e-4 --around " + sized("16,32,40", "16:96:+16");
+  return {
+      {"chute, line", "chute", "--model line" + line, 0.2},
+      {"chute, plane", "chute", "--model plane" + plane},
+      {"chute, space", "chute", "--model space" + space},
+      {"bagnold, line", "bagnold", "--model line" + line, 0.2},
+      {"bagnold, plane", "bagnold", "--model plane" + plane},
+      {"bagnold, space", "bagnold", "--model space" + space},
+      {"heap, section", "heap",
+       "--model section --method newton,interior-point --elements " +
+           sized("5x7,10x14,20x28", "9x13,18x25,35x50,70x100") + laws},
+      {"heap, space", "heap",
+       "--model space --elements " + sized("1x3x4,1x5x7,1x9x13", "1x5x7,1x9x13,1x18x25,1x35x50") +
+           laws},
+      {"manufactured, plane", "manufactured",
+       "--model plane --elements " + sized("4,8", "4:32:x2") + laws},
+      {"manufactured, space", "manufactured",
+       "--model space --elements " + sized("2,4", "2:8:x2") + laws},
+      // U of a creep is proportional to λr: of each law its own. The drag falls with its order 1.
+      {"cylinder, creep", "cylinder", "--loading 0.03" + around + laws, 0.7},
+      {"cylinder, above yield", "cylinder", "--loading 0.052 --regularisation barker-gray" + around,
+       0.7}};
 }
 
 void add_work_precision(Chapter& chapter, const std::vector<WorkQuestion>& questions,
@@ -112,7 +115,7 @@ void add_work_precision(Chapter& chapter, const std::vector<WorkQuestion>& quest
       worst = solve::nan_max(worst, decrease(curve, error));
     chapter.check("work and precision, " + question.title +
                       ": error on the finest mesh over that on the coarsest, any method",
-                  worst, 0, 0.5);
+                  worst, 0, question.most_left);
     progress(static_cast<double>(++done) / static_cast<double>(questions.size()));
   }
   chapter.figure(std::move(figure));

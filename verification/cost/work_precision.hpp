@@ -8,6 +8,7 @@ namespace talus::verification {
 /// A scene in one of its models, and the options that vary, as words after `./run study cost`.
 struct WorkQuestion {
   std::string title, scene, words;
+  double most_left = 0.5;  ///< of the error on the coarsest mesh, on the finest
 };
 
 /// Every scene in every model there is, under every law of the registry.
