@@ -211,7 +211,8 @@ bool CondensedSystem<Dim>::factor() {
 }
 
 template <int Dim>
-bool CondensedSystem<Dim>::solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& x) const {
+bool CondensedSystem<Dim>::solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& x,
+                                 int refinements) const {
   const auto& mesh = space_.mesh();
   const auto velocity = [&](std::size_t e, std::size_t place) {
     return space_.velocity_index(mesh.elements[e][place / Dim], static_cast<int>(place % Dim));
@@ -238,6 +239,11 @@ bool CondensedSystem<Dim>::solve(const Eigen::VectorXd& right_hand_side, Eigen::
     }
   }
   if (!lu_->solve(b, outer_x)) return false;
+  for (int i = 0; i < refinements; ++i) {
+    Eigen::VectorXd correction;
+    if (!lu_->solve(b - matrix_ * outer_x, correction)) return false;
+    outer_x += correction;
+  }
   x = Eigen::VectorXd::Zero(space_.size());
   for (std::size_t v = 0; v < row_of_velocity_.size(); ++v)
     if (row_of_velocity_[v] >= 0) x[static_cast<Eigen::Index>(v)] = outer_x[row_of_velocity_[v]];

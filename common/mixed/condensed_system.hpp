@@ -40,7 +40,9 @@ class CondensedSystem {
   /// False if the condensed matrix is singular.
   bool factor();
   /// Solves for velocities and pressures, fixed velocities zero. False if the result is not finite.
-  bool solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& x) const;
+  /// `refinements` are of the condensed system, with its own matrix: they take out the round-off
+  /// of its factors, and no error of the condensing.
+  bool solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& x, int refinements = 0) const;
   /// Sign of the determinant of the whole matrix, local unknowns included; 0 if singular.
   int determinant_sign() const;
 

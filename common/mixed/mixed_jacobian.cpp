@@ -166,7 +166,8 @@ solve::SystemError condensation_error(MixedFlow<Dim>& problem,
   solve::CompensatedVector refined;
   Eigen::VectorXd x;
   problem.linear_solve(b, refined);  // for its factors; whether refining helps is another question
-  if (!problem.system().solve(b, x)) return {std::numeric_limits<double>::infinity()};
+  constexpr int refinements = 4;  // the condensing is asked for, not the round-off of the factors
+  if (!problem.system().solve(b, x, refinements)) return {std::numeric_limits<double>::infinity()};
   const Eigen::VectorXd off = (b - matrix * x).cwiseAbs();
   const Eigen::VectorXd size = matrix.cwiseAbs() * x.cwiseAbs() + b.cwiseAbs();
   const Eigen::VectorXd round_off = condensation_round_off(space, matrix, size);

@@ -106,9 +106,13 @@ void add_work_precision(Chapter& chapter, const std::vector<WorkQuestion>& quest
     study::solve(answer);
     study::Findings found = study::cost(answer);
     auto& panel = std::get<io::Figure>(found.chapter.blocks.front()).panels.front();
-    panel.title = question.title + ": " + panel.title;
-    figure.panels.push_back(panel);
     const std::string error = study::errors_to_show(answer, {}).front();
+    panel.title = question.title;
+    panel.y_label = error + " " + panel.y_label;
+    panel.key = "bottom left";
+    for (io::Curve& curve : panel.curves)
+      if (curve.label.empty()) curve.label = "barker-gray";
+    figure.panels.push_back(panel);
     add_rows(table, question, answer, error, found);
     double worst = 0;
     for (const auto& curve : study::curves_of(answer, {answer.mesh_option()}))
