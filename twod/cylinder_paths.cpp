@@ -36,9 +36,12 @@ CylinderPath follow(CylinderFlow& cylinder, Problem problem, solve::PathStart<St
   };
   if (continuation == Continuation::arclength)
     return solve::follow_arclength(problem, std::move(start), options, observer);
-  if (continuation == Continuation::natural)
-    return solve::follow_natural(problem, std::move(start), solve::Predictor::secant, options,
+  if (continuation == Continuation::natural) {
+    solve::PathOptions near = options;  // a step that arrives shows it soon
+    near.stalled_corrections = 5;
+    return solve::follow_natural(problem, std::move(start), solve::Predictor::secant, near,
                                  observer);
+  }
   // Steps so long that a tangent says nothing about their end, with time to converge.
   solve::PathOptions far = options;
   far.largest_step = 2;

@@ -102,6 +102,13 @@ BOOST_AUTO_TEST_CASE(arclength_passes_the_yield_load_where_natural_continuation_
                                  << natural.next.parameter);
   BOOST_TEST((natural.end == PathEnd::step_too_small), solve::name_of(natural.end));
   BOOST_TEST(std::abs(natural.next.parameter - turns[0]) < 1e-5);
+  // A step in vain is seen to be soon: of ten corrections it needs no more than seven or so.
+  const solve::PathCost cost = natural.total_cost();
+  int arriving = 0;
+  for (const solve::PathPoint& point : natural.points) arriving += point.corrections;
+  BOOST_TEST_MESSAGE(cost.failures << " steps in vain, " << cost.factorisations - arriving
+                                   << " factorisations for them");
+  BOOST_TEST(cost.factorisations - arriving <= 8 * cost.failures);
   BOOST_TEST(turns[1] < turns[0]);
 }
 

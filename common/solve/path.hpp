@@ -107,6 +107,8 @@ struct PathOptions {
   double tolerance = 1e-10;  ///< of every point, on Residual::relative_norm()
   double on_the_way = 0;  ///< natural continuation to a target: tolerance of the points before it
   double hopeless = std::numeric_limits<double>::infinity();  ///< NewtonOptions::hopeless
+  /// Corrections without a smaller residual after which a step is in vain.
+  int stalled_corrections = std::numeric_limits<int>::max();
   int max_corrections = 10;  ///< full Newton steps: a path needs none shorter, it shortens its own
 };
 
@@ -160,6 +162,7 @@ NewtonSummary solve_at(P& problem, double parameter, typename P::State& state,
                                          : options.tolerance,
               .distance = std::numeric_limits<double>::infinity(),
               .max_iterations = options.max_corrections,
+              .stall_iterations = options.stalled_corrections,
               .hopeless = options.hopeless,
               .line_search = LineSearch::none});
   path.pending.factorisations += summary.iterations();
