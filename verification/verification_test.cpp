@@ -5,6 +5,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "verification/cost/work_precision.hpp"
 #include "verification/cylinder/cylinder_runs.hpp"
 #include "verification/harness/fit.hpp"
 #include "verification/harness/html_report.hpp"
@@ -12,6 +13,7 @@
 #include "verification/orders/orders_parts.hpp"
 #include "verification/paper/paper_parts.hpp"
 #include "verification/stability/line_answer.hpp"
+#include "verification/stability/model_maps.hpp"
 
 using namespace talus;
 using verification::Chapter;
@@ -205,4 +207,32 @@ BOOST_AUTO_TEST_CASE(a_range_in_words_is_that_of_its_numbers_and_nan_is_not_know
   range.add(3);
   BOOST_TEST(range.text(2) == "not known");
   BOOST_TEST(verification::known(std::numeric_limits<double>::quiet_NaN(), 2) == "not known");
+}
+
+BOOST_AUTO_TEST_CASE(cases_that_do_not_arrive_fail_the_work_and_the_map_of_their_scene) {
+  const auto told = [](double) {};
+  const auto failed_of = [&](const std::string& words) {
+    Chapter work, map;
+    verification::add_work_precision(work, {{"chute", "chute", "--elements 5,20 " + words}}, told);
+    verification::add_model_maps(
+        map, {{"chute", "chute", "chute", "--elements 5,20 " + words, 1, 1, 0.5}}, told);
+    return std::pair(failures(work), failures(map));
+  };
+  BOOST_TEST((failed_of("--lambda-r 1e-8") == std::pair(0, 0)));
+  BOOST_TEST((failed_of("--max-iterations 1 --no-continuation") == std::pair(1, 1)));
+  // A broken tangent that arrives would not be one.
+  BOOST_TEST(failed_of("--lambda-r 1e-1,1 --tangent frozen").second == 1);
+}
+
+BOOST_AUTO_TEST_CASE(every_law_of_the_registry_is_in_the_work_of_every_scene_and_model) {
+  std::set<std::string> models;
+  for (const bool full : {false, true})
+    for (const auto& question : verification::work_questions(full)) {
+      models.insert(question.scene + question.title.substr(question.title.find(',')));
+      if (question.title == "cylinder, above yield") continue;  // eq. (9)-(12) fold on these meshes
+      for (const auto& law : rheology::regularisations())
+        BOOST_TEST(question.words.find(rheology::name_of(law)) != std::string::npos,
+                   question.title << " lacks " << rheology::name_of(law));
+    }
+  BOOST_TEST(models.size() == 12U);
 }
