@@ -190,6 +190,7 @@ int run(const CLI::App& app, Options& options, scene::Case& a_case) {
     return refuse(a_case, folder, results, error.end, error.what());
   }
   const twod::SectionSolution& solution = found.solution();
+  results["unknowns"] = found.space->node_count();  // of the section, as on a line
   results.update(found.heap ? threed::summary(*found.heap, *found.space)
                             : twod::summary(solution, *found.space));
   if (found.heap && found.section && solve::is_success(solution.end))

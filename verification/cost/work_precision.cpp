@@ -72,7 +72,7 @@ std::vector<WorkQuestion> work_questions(bool full) {
       {"bagnold, plane", "bagnold", "--model plane" + plane},
       {"bagnold, space", "bagnold", "--model space" + space},
       {"heap, section", "heap",
-       "--model section --method newton,interior-point --elements " +
+       "--model section --method newton,interior-point --lambda-r 1e-7 --elements " +
            sized("5x7,10x14,20x28", "9x13,18x25,35x50,70x100") + laws},
       {"heap, space", "heap",
        "--model space --elements " + sized("1x3x4,1x5x7,1x9x13", "1x5x7,1x9x13,1x18x25,1x35x50") +

@@ -49,7 +49,7 @@ void add_map(Chapter& chapter, const MapQuestion& question) {
 std::vector<MapQuestion> map_questions(bool full) {
   const std::string section = full ? "5x7,10x14,20x28,40x56" : "5x7,10x14";
   const std::string space = full ? "1x3x4,1x5x7,1x10x14,2x5x7" : "1x3x4,1x5x7";
-  const std::string down = std::string(" --lambda-r 1e-2:1e-8:") + (full ? "/10" : "/1000");
+  const std::string down = std::string(" --lambda-r ") + (full ? "1e-2:1e-8:/10" : "1e-2,1e-8");
   const std::string tangents = " --tangent primal-dual,full,frozen,wrong-sign";
   const std::string direct = " --no-continuation --max-iterations 100";
   return {{"section", "heap, section, Newton from rest", "heap",
