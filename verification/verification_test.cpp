@@ -5,7 +5,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "verification/cost/work_precision.hpp"
+#include "verification/cost/scene_cost.hpp"
 #include "verification/cylinder/cylinder_runs.hpp"
 #include "verification/harness/fit.hpp"
 #include "verification/harness/html_report.hpp"

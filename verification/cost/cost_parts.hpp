@@ -7,7 +7,7 @@ namespace talus::verification {
 
 /// Error against CPU time on a line, what precision costs there, and an iteration an element.
 void line_costs(Chapter& chapter, const Context& context);
-/// Work and precision of every scene in every model, in one table: see work_precision.hpp.
+/// Work and precision of every scene in every model, in one table: see scene_cost.hpp.
 void scene_costs(Chapter& chapter, const Context& context);
 /// A whole program, from process start to its files, on the wall.
 void program_costs(Chapter& chapter, const Context& context);

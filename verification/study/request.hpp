@@ -45,10 +45,9 @@ std::vector<Options> combinations(const std::vector<Varied>& varied);
 /// The words of a command line for these options.
 std::vector<std::string> words_of(const Options& options);
 
-/// On one thread, unless `combinations` say otherwise.
-/// Leaves out of each case what its method has no use for, and then what is there twice. Throws
-/// io::UserError with what the scene's program says of any other impossible combination, or of an
-/// option that no case uses.
+/// The cases, on one thread unless `combinations` say otherwise. Leaves out of each what its method
+/// has no use for, and then what is there twice. Throws io::UserError with what the scene's program
+/// says of any other impossible combination, or of an option that no case uses.
 std::vector<Options> possible(const Program& program, const std::vector<Options>& combinations);
 
 }  // namespace talus::study

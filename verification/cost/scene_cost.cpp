@@ -1,15 +1,15 @@
 // Work and precision of every scene in every model it has, by the programs themselves: one table of
 // the same columns, and every row a command line.
-#include "verification/cost/work_precision.hpp"
+#include "verification/cost/scene_cost.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "common/io/options.hpp"
+#include "common/rheology/regularisation.hpp"
 #include "common/solve/extremes.hpp"
 #include "verification/cost/cost_parts.hpp"
-#include "verification/harness/methods.hpp"
 #include "verification/study/kinds.hpp"
 #include "verification/study/question.hpp"
 
@@ -110,8 +110,9 @@ void add_work_precision(Chapter& chapter, const std::vector<WorkQuestion>& quest
     panel.title = question.title;
     panel.y_label = error + " " + panel.y_label;
     panel.key = "bottom left";
+    // Where nothing varies but the mesh, the law tells the curve.
     for (io::Curve& curve : panel.curves)
-      if (curve.label.empty()) curve.label = "barker-gray";
+      if (curve.label.empty()) curve.label = answer.rows.front().option("--regularisation");
     figure.panels.push_back(panel);
     add_rows(table, question, answer, error, found);
     double worst = 0;
