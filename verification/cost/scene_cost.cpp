@@ -109,6 +109,7 @@ void add_work_precision(Chapter& chapter, const std::vector<WorkQuestion>& quest
     const std::string error = study::errors_to_show(answer, {}).front();
     panel.title = question.title;
     panel.y_label = error + " " + panel.y_label;
+    std::ranges::replace(panel.y_label, '_', ' ');  // a subscript in a picture
     panel.key = "bottom left";
     // Where nothing varies but the mesh, the law tells the curve.
     for (io::Curve& curve : panel.curves)
