@@ -56,6 +56,7 @@ void CylinderSweep::save(const std::string& stage, double target,
                           {"target", target},
                           {"path_points", path_points_},
                           {"factorisations", factorisations()},
+                          {"iterations", iterations()},
                           {"way", way_},
                           {"reached", nlohmann::json::array()},
                           {"sweep", nlohmann::json::array()},
@@ -88,6 +89,7 @@ void CylinderSweep::recall(const program::Checkpoint& checkpoint) {
     for (const auto& each : notes.at("path")) records_.push_back(record_from(each));
     path_points_ = notes.at("path_points");
     earlier_factorisations_ = notes.at("factorisations");
+    earlier_iterations_ = notes.at("iterations");
     if (!notes.at("stage").is_string() || !notes.at("target").is_number())
       throw other("notes of another version");
     const bool is_same_way =

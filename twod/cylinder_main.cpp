@@ -123,7 +123,7 @@ nlohmann::json summary_of(const Options& options, const twod::CylinderSweep& swe
       {"element_size", std::numbers::pi / options.run.scene.mesh.around},  // on the cylinder
       {"unknowns", cylinder.space().size()},
       {"condensed_unknowns", cylinder.flow().system().unknowns()},
-      {"iterations", sweep.factorisations()},
+      {"iterations", sweep.iterations()},
       {"factorisations", sweep.factorisations()},
       {"folds", sweep.folds()},
       {"reached", nlohmann::json::array()},

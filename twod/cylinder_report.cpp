@@ -1,6 +1,7 @@
 #include "twod/cylinder_report.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 #include "common/program/grid.hpp"
@@ -195,6 +196,7 @@ io::QuadraticGrid grid(const CylinderFlow& cylinder, const State& state) {
                            {state.value()[first], 0.0, state.value()[first + 1]});
   }
   grid.point_fields = {velocity};
+  constexpr float unbounded = std::numeric_limits<float>::max();
   const rheology::FrictionLaw& law = cylinder.scene().law;
   io::Field dynamic{"dynamic_pressure", {}}, total{"total_pressure", {}},
       regularised{"regularised_pressure", {}}, rate{"shear_rate", {}}, eta{"viscosity", {}},
@@ -212,7 +214,8 @@ io::QuadraticGrid grid(const CylinderFlow& cylinder, const State& state) {
     eta.values.push_back(at.law.viscosity);
     eta_static.values.push_back(yield_part);
     eta_dynamic.values.push_back(at.law.viscosity - yield_part);
-    inertial.values.push_back(at.law.inertial_number);
+    // Infinite where nothing presses: a number that every viewer reads.
+    inertial.values.push_back(std::min<double>(at.law.inertial_number, unbounded));
     posed.values.push_back(at.law.well_posedness);
     yielded.values.push_back(at.law.has_yielded ? 1 : 0);
   }

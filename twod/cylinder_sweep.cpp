@@ -126,6 +126,7 @@ CylinderObserver CylinderSweep::observer(const std::string& stage, double target
   return [this, stage, target](const auto& at, const auto& measures, const auto& point) {
     if (std::exchange(has_start_, false)) {
       earlier_factorisations_ -= cylinder_.flow().factorisations();  // for the start once more
+      earlier_iterations_ -= cylinder_.flow().iterations();
     } else {
       records_.push_back({point, measures});
       ++path_points_;

@@ -60,6 +60,7 @@ class CylinderSweep {
   const std::string& status() const { return status_; }
   /// All of them, Newton before and after a path and what went before --resume as well.
   int factorisations() const { return earlier_factorisations_ + cylinder_.flow().factorisations(); }
+  int iterations() const { return earlier_iterations_ + cylinder_.flow().iterations(); }
   int folds() const;
 
  private:
@@ -94,7 +95,7 @@ class CylinderSweep {
   std::vector<PathRecord> records_;
   bool has_start_ = false;  // the next point accepted is the last record's
   int path_points_ = 0;     // of the path being followed
-  int earlier_factorisations_ = 0;
+  int earlier_factorisations_ = 0, earlier_iterations_ = 0;
   std::string way_;  // to the loading that is being reached
   std::vector<Arrival> arrivals_;
   std::vector<CylinderMeasures> sweep_;

@@ -49,7 +49,8 @@ class CondensedSystem {
   /// Condensed unknowns, and stored entries of the factors.
   Eigen::Index unknowns() const { return matrix_.rows(); }
   double factor_entries() const { return lu_ ? lu_->factor_entries() : 0; }
-  double solves_per_factorisation() const { return lu_->solves_per_factorisation(); }
+  /// Iterations with old factors that cost as much as new ones.
+  double iterations_per_factorisation() const;
 
  private:
   static constexpr int outer = Dim * (Space::nodes_per_element - 1);

@@ -23,12 +23,17 @@ void scale_velocities(const MixedSpace<Dim>& space, double factor,
   for (Eigen::Index i = 0; i < space.velocity_count(); ++i) state.set(i, factor * state.value()[i]);
 }
 
+// Creep asks for no determinants, so that factors may serve several steps; none from before, for
+// the answer is to follow from the state alone.
 template <int Dim>
 solve::NewtonSummary primal_dual_newton(MixedFlow<Dim>& flow, solve::CompensatedVector& state,
                                         const solve::NewtonOptions& options) {
+  const LinearSolver own = flow.linear_solver();
+  flow.set_linear_solver(LinearSolver::lagged);
   flow.carry_stress();
   const auto newton = solve::newton(flow, state, options);
   flow.stop_carrying_stress();
+  flow.set_linear_solver(own);
   return newton;
 }
 
@@ -67,11 +72,11 @@ template <int Dim>
 CreepSummary creep_to_load(MixedFlow<Dim>& flow, double load, double load_before,
                            solve::CompensatedVector& state, const solve::NewtonOptions& options) {
   CreepSummary summary;
-  const int first = flow.factorisations();
+  const int first = flow.iterations();
   solve::CompensatedVector here = state;
   double reached = load_before, step = load - load_before;
   while (summary.loads + summary.failures < most_loads) {
-    const int left = first + options.max_iterations - flow.factorisations();
+    const int left = first + options.max_iterations - flow.iterations();
     if (left <= 0) break;
     const bool is_last = std::abs(load - reached) <= std::abs(step);
     const double next = is_last ? load : reached + step;

@@ -96,7 +96,11 @@ class MixedFlow {
   std::vector<double> carried_stress() const;
   void carry_stress(std::span<const double> numbers);
   LinearSolver linear_solver() const { return linear_solver_; }
-  void set_linear_solver(LinearSolver solver) { linear_solver_ = solver; }
+  /// Factors made before are not used again.
+  void set_linear_solver(LinearSolver solver) {
+    linear_solver_ = solver;
+    lag_ = {};
+  }
 
   /// Residual with its magnitude and computed round-off; keeps what the tangent needs.
   const solve::Residual& evaluate(const State& state);
@@ -120,6 +124,8 @@ class MixedFlow {
   const Eigen::VectorXd& reactions() const { return reactions_; }
   const CondensedSystem<Dim>& system() const { return system_; }
   int factorisations() const { return factorisations_; }
+  /// Tangents solved with, by their own factors or by older ones: a Newton iteration each.
+  int iterations() const { return factorisations_ + lagged_solves_; }
   /// Iterations of GMRES with lagged factors, those in vain included.
   int krylov_iterations() const { return krylov_iterations_; }
 
@@ -170,7 +176,7 @@ class MixedFlow {
   bool is_factored_ = false;
   LinearSolver linear_solver_ = LinearSolver::direct;
   solve::FactorLag lag_;
-  int factorisations_ = 0, krylov_iterations_ = 0;
+  int factorisations_ = 0, lagged_solves_ = 0, krylov_iterations_ = 0;
 };
 
 extern template class MixedFlow<2>;

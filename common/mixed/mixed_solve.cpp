@@ -7,7 +7,8 @@
 namespace talus::mixed {
 namespace {
 
-constexpr double enough_of_a_step = 1e-3;  // may be left of it: Newton then gains three digits
+constexpr double enough_of_a_step = 1e-3;       // may be left of it: Newton then gains three digits
+constexpr double enough_by_old_factors = 1e-2;  // two a step, and more steps, are cheaper then
 
 // What is left of a right side, of the equation of motion or of mass, whichever is worse. One that
 // is zero from the start is no measure.
@@ -125,7 +126,7 @@ bool MixedFlow<Dim>::factor() {
   ++factorisations_;
   is_factored_ = system_.factor();
   lag_ = {};
-  if (is_factored_) lag_.factored(system_.solves_per_factorisation());
+  if (is_factored_) lag_.factored(system_.iterations_per_factorisation());
   return is_factored_;
 }
 
@@ -176,11 +177,12 @@ template <int Dim>
 bool MixedFlow<Dim>::iterate(const Eigen::VectorXd& right_hand_side, State& x) {
   if (lag_.budget() == 0) return false;
   Eigen::VectorXd solution;
-  const auto summary =
-      solve_preconditioned(*this, right_hand_side, solution, {enough_of_a_step, lag_.budget()});
+  const auto summary = solve_preconditioned(*this, right_hand_side, solution,
+                                            {enough_by_old_factors, lag_.budget()});
   krylov_iterations_ += summary.iterations;
   if (!summary.converged) return false;
   lag_.iterated(summary.iterations);
+  ++lagged_solves_;
   x = State(solution);
   return x.value().allFinite();
 }

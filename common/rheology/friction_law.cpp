@@ -10,11 +10,13 @@
 namespace talus::rheology {
 
 double FrictionLaw::inertial_number(double shear_rate, double pressure) const {
+  if (shear_rate == 0) return 0;  // under no pressure either
   return grain_size * shear_rate / std::sqrt(solid_fraction * pressure);
 }
 
 // Written as Δμ I/(I0 + I): the same as eq. (4), and defined at I = 0.
 double FrictionLaw::friction(double inertial_number) const {
+  if (std::isinf(inertial_number)) return mu_2();
   return mu_s + delta_mu * inertial_number / (I0 + inertial_number);
 }
 
@@ -73,7 +75,8 @@ double FrictionLaw::complementary_dissipation(double stress, double pressure) co
 
 double FrictionLaw::well_posedness(double inertial_number) const {
   const double mu = friction(inertial_number);
-  const double n = inertial_number * friction_derivative(inertial_number) / mu;
+  const double n =
+      std::isinf(inertial_number) ? 0 : inertial_number * friction_derivative(inertial_number) / mu;
   return well_posedness_indicator(mu, n);
 }
 

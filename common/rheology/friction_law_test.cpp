@@ -166,3 +166,13 @@ BOOST_AUTO_TEST_CASE(a_law_of_almost_constant_friction_is_nowhere_well_posed) {
   BOOST_TEST(!law.well_posed_band().has_value());
   for (const double I : {1e-4, 1e-2, 0.1, 0.279, 1., 10.}) BOOST_TEST(law.well_posedness(I) > 0);
 }
+
+// Where nothing presses the limits of I are taken: at rest none, in shear all there is.
+BOOST_AUTO_TEST_CASE(without_pressure_inertial_number_friction_and_posedness_have_their_limits) {
+  const FrictionLaw law;
+  BOOST_TEST(law.inertial_number(0, 0) == 0);
+  const double unbounded = law.inertial_number(1, 0);
+  BOOST_TEST(std::isinf(unbounded));
+  BOOST_TEST(law.friction(unbounded) == law.mu_2());
+  BOOST_TEST(law.well_posedness(unbounded) == law.well_posedness(1e12), tolerance(1e-9));
+}
