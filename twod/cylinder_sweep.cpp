@@ -78,8 +78,10 @@ mixed::CreepSummary CylinderSweep::creep_to(double target) {
 bool CylinderSweep::follow_paths(double target) {
   const bool is_along_loading = options_.route == Route::loading;
   path_points_ = 0;
-  if (state_.size() == 0 || !is_along_loading) {
-    const double first = is_along_loading ? first_loading() : target;
+  const double first = is_along_loading ? first_loading() : target;
+  const bool is_at_rest = state_.size() == 0;
+  const bool needs_start = !is_along_loading || (is_at_rest && !starts_by_creep(first));
+  if (needs_start) {
     way_ = path_in_lambda_r;
     progress_.show("F = " + io::rounded(first, 6) + ": from rest", share_reached());
     if (!accept(solve_from_rest(cylinder_, first, options_.continuation, path_options(),
@@ -93,6 +95,16 @@ bool CylinderSweep::follow_paths(double target) {
   return accept(
       follow_loading(cylinder_, {.state = state_, .parameter = loading_, .direction = direction},
                      target, options_.continuation, path_options(), observer("loading", target)));
+}
+
+// The cheapest start of a path in the loading.
+bool CylinderSweep::starts_by_creep(double first) {
+  if (!may_creep(options_.scene, first)) return false;
+  const auto creep = creep_to(first);
+  if (!solve::is_success(creep.newton.end)) return false;
+  loading_ = first;
+  record(creep, measure(cylinder_, state_));
+  return true;
 }
 
 int CylinderSweep::folds() const {
@@ -172,15 +184,19 @@ bool CylinderSweep::finish_path() {
   return finish_loading(measure(cylinder_, state_), 1);
 }
 
-// Creep is a point of path.csv as well.
 bool CylinderSweep::finish_creep(const mixed::CreepSummary& creep) {
   loading_ = cylinder_.flow().load_factor();
   const CylinderMeasures m = measure(cylinder_, state_);
+  record(creep, m);
+  return finish_loading(m, creep.loads);
+}
+
+// Creep is a point of path.csv as well.
+void CylinderSweep::record(const mixed::CreepSummary& creep, const CylinderMeasures& measures) {
   solve::PathPoint point{.parameter = loading_, .corrections = creep.newton.iterations()};
   point.cost = {creep.failures, factorisations_since_last()};
   point.residual = creep.newton.final_residual();
-  records_.push_back({point, m});
-  return finish_loading(m, creep.loads);
+  records_.push_back({point, measures});
 }
 
 // Measures, fields and how it was reached. False if nothing flows.

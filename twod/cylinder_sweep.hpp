@@ -77,6 +77,8 @@ class CylinderSweep {
   void recall(const program::Checkpoint& checkpoint);
   bool reach(double target);
   mixed::CreepSummary creep_to(double target);
+  bool starts_by_creep(double first);
+  void record(const mixed::CreepSummary& creep, const CylinderMeasures& measures);
   bool follow_paths(double target);
   bool accept(CylinderPath path);
   bool finish_path();
