@@ -136,7 +136,7 @@ check expect_text run/results/cylinder/summary.json '"results": {}'
 # A folder holds one run and nothing older: neither what a failed run does not write nor its pictures.
 run "$cylinder" --around 16 --loading 0.02 --lambda-r 1e-2 --plot
 for file in .drag.png.part .flow_0002.vtu.part notes.txt; do touch "$work/run/results/cylinder/$file"; done
-run_again "$cylinder" --around 16 --loading 0.03 --max-points 2 --lambda-r 1e-4 --continuation arclength
+run_again "$cylinder" --around 16 --loading 0.05 --max-points 2 --lambda-r 1e-4 --continuation arclength
 check expect_code 1
 check leaves cylinder summary.json path.csv sweep.pvd checkpoint.bin notes.txt
 run_again "$cylinder" --around 016 --loading 0.02 --lambda-r 1e-2
@@ -212,9 +212,11 @@ run "${flow[@]}" --continuation primal-dual
 check reached_by "path in λr" "path in λr" "path in λr"
 check agrees_to_1e_8 "$(result drag)" "$drag"
 run "$cylinder" --around 16 --loading 0.03 0.045 --route loading
+check reached_by "creep from rest" "path in the loading"
+check_fails reached_by "creep from rest" "path in λr"
+check_fails reached_by "creep from rest"
+run "$cylinder" --around 16 --loading 0.01 0.02 --route loading --regularisation barker-gray
 check reached_by "path in λr" "path in the loading"
-check_fails reached_by "path in λr" "path in λr"
-check_fails reached_by "path in λr"
 run "$cylinder" --around 16 --loading 0.03 --regularisation barker-gray  # no yield stress, no creep
 check reached_by "path in λr"
 run "$cylinder" --around 16 --loading 0.01 --lambda-r 1e-2 --resume

@@ -154,6 +154,11 @@ Compared tending_to_eq_4() {
                     yield_stress_methods(1e-14),
                     over_lambda_r(rheology::ChauchatMedale{}, "eq. (12)", {1e-4, 1e-6, 1e-8})};
   for (NamedMethod& method : compared.fitted) method.label += ", λr 1e-14";
+  for (NamedMethod method : yield_stress_methods(1e-6)) {
+    if (method.label == rheology::ChauchatMedale::name) continue;  // drawn above
+    method.label += ", λr 1e-6";
+    compared.drawn.push_back(method);
+  }
   return compared;
 }
 
