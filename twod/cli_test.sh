@@ -107,6 +107,11 @@ check refuses --friction "''" -- "$cylinder" --around 16 --friction ''
 check refuses --around "'0x10'" -- "$cylinder" --around 0x10
 check refuses "--pressure-floor: not used by --no-pressure-regularisation" -- \
   "$cylinder" --pressure-floor 0.01 --no-pressure-regularisation
+for option in "--loading 0.02" "--tolerance 1e-8" "--route loading" "--max-points 8" --plot; do
+  # shellcheck disable=SC2086  # words
+  check refuses "${option%% *}: not used by --check-jacobian" -- \
+    "$cylinder" --around 16 --check-jacobian $option
+done
 check refuses --contination "did you mean --continuation?" -- "$cylinder" --contination natural
 check refuses "--loading: it is given twice" -- "$cylinder" --loading 0.01 --loading 0.02
 check refuses --outflow "'foo'" open-viscous -- "$cylinder" --outflow foo
@@ -132,6 +137,16 @@ check expect_text stderr step_too_small "F = 0.0501"
 check expect_text run/results/cylinder/summary.json '"status": "step_too_small"'
 check leaves cylinder summary.json path.csv sweep.pvd checkpoint.bin
 check expect_text run/results/cylinder/summary.json '"results": {}'
+
+# How near to the solution is the user's choice.
+steps() { sed -n 's/^  "iterations": \(.*\),$/\1/p' "$work/run/results/cylinder/summary.json"; }
+run "$cylinder" --around 16 --loading 0.02
+steps=$(steps) drag=$(result drag)
+run "$cylinder" --around 16 --loading 0.02 --tolerance 1e-3
+check expect_code 0
+check [ "$(steps)" -lt "$steps" ]
+check_fails agrees_to_1e_8 "$(result drag)" "$drag"
+check refuses --tolerance "'1e-2'" "1e-16 ... 0.001" -- "$cylinder" --tolerance 1e-2
 
 # A folder holds one run and nothing older: neither what a failed run does not write nor its pictures.
 run "$cylinder" --around 16 --loading 0.02 --lambda-r 1e-2 --plot

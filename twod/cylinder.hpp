@@ -114,10 +114,11 @@ CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading,
 /// (common/mixed/creep.hpp): from rest, or from the state, which creeps under `loading_before`. If
 /// it fails the state is as it was.
 mixed::CreepSummary creep_to(CylinderFlow& cylinder, double loading, double loading_before,
-                             CylinderFlow::State& state, double tolerance = 1e-13);
+                             CylinderFlow::State& state,
+                             const solve::NewtonOptions& options = mixed::creep_options());
 /// From rest.
-solve::NewtonSummary solve_creep(CylinderFlow& cylinder, double loading, CylinderFlow::State& state,
-                                 double tolerance = 1e-13);
+solve::NewtonSummary solve_creep(CylinderFlow& cylinder, double loading,
+                                 CylinderFlow::State& state);
 
 /// Follows log10 λr from a point of such a path.
 CylinderPath follow_lambda_r(CylinderFlow& cylinder, double loading,

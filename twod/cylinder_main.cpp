@@ -36,6 +36,7 @@ struct Options {
   std::string output = "results/cylinder";
   bool no_pressure_regularisation = false, no_inertia = false, plot = false;
   bool check_jacobian = false;
+  double tolerance = 0;  // 0: the sweep's own defaults
   int threads = 1;
 };
 
@@ -66,6 +67,7 @@ void read(Options& o) {
   scene.regularises_pressure = !o.no_pressure_regularisation;
   for (const mixed::Open open : {mixed::Open::no, mixed::Open::viscous, mixed::Open::all})
     if (o.outflow == twod::name_of_outflow(open)) scene.open_outlet = open;
+  if (o.tolerance > 0) o.run.tolerance = o.run.distance = o.tolerance;
   if (!o.sweep.empty()) o.run.loadings = read_sweep(o.sweep);
   if (!o.friction.empty()) scene.law = program::friction_law(o.friction, scene.law);
   using twod::Continuation, twod::Route;
@@ -251,6 +253,11 @@ int main(int argc, char** argv) {
       "from creep (default otherwise)",
       {"cheapest", "loading", "lambda-r"})
       ->default_str("");
+  io::add_real(app, "--tolerance", o.tolerance,
+               "Of the answer at each loading: relative residual and distance to the solution "
+               "(default 1e-13 and 1e-10)",
+               1e-16, 1e-3)
+      ->default_str("");
   io::add_integer(app, "--max-points", o.run.max_points, "Points of one path at most", 2, 100000);
   io::add_reals(app, "--confining-pressure", o.run.confining_pressures,
                 "p_ext in φρgD, for the Froude numbers", 0.01, 1000);
@@ -264,7 +271,11 @@ int main(int argc, char** argv) {
   return a_case.run_program(argc, argv, [&] {
     io::refuse_unused(
         app, {{{"--pressure-floor"}, !o.no_pressure_regularisation, "--no-pressure-regularisation"},
-              {{"--repeat"}, !o.run.resume, "--resume"}});
+              {{"--repeat"}, !o.run.resume, "--resume"},
+              {{"--loading", "--sweep", "--continuation", "--route", "--tolerance", "--max-points",
+                "--confining-pressure", "--output", "--resume", "--plot"},
+               !o.check_jacobian,
+               "--check-jacobian"}});
     auto& mesh = o.run.scene.mesh;
     if (app.count("--first-layer") == 0)
       mesh.first_layer = twod::refined_to(mesh.around).first_layer;

@@ -246,15 +246,13 @@ CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading, Continuatio
 }
 
 mixed::CreepSummary creep_to(CylinderFlow& cylinder, double loading, double loading_before,
-                             State& state, double tolerance) {
+                             State& state, const solve::NewtonOptions& options) {
   cylinder.flow().set_lambda_r(cylinder.scene().lambda_r);
-  return mixed::creep_to_load(cylinder.flow(), loading, loading_before, state,
-                              mixed::creep_options(tolerance));
+  return mixed::creep_to_load(cylinder.flow(), loading, loading_before, state, options);
 }
 
-solve::NewtonSummary solve_creep(CylinderFlow& cylinder, double loading, State& state,
-                                 double tolerance) {
-  return creep_to(cylinder, loading, 0, state, tolerance).newton;
+solve::NewtonSummary solve_creep(CylinderFlow& cylinder, double loading, State& state) {
+  return creep_to(cylinder, loading, 0, state).newton;
 }
 
 CylinderPath follow_lambda_r(CylinderFlow& cylinder, double loading, solve::PathStart<State> start,

@@ -46,6 +46,8 @@ CylinderSweep::CylinderSweep(const SweepOptions& options, const io::ResultFolder
   parameters_["loadings"] = options.loadings;
   parameters_["route"] = name_of(options.route);
   parameters_["continuation"] = name_of(options.continuation);
+  parameters_["tolerance"] = options.tolerance;
+  parameters_["distance"] = options.distance;
 }
 
 bool CylinderSweep::run() {
@@ -71,7 +73,8 @@ mixed::CreepSummary CylinderSweep::creep_to(double target) {
   const bool goes_on = state_.size() > 0 && may_creep(options_.scene, loading_);
   way_ = goes_on ? "newton from the load before" : "creep from rest";
   progress_.show("F = " + io::rounded(target, 6) + ": " + way_, share_reached());
-  return twod::creep_to(cylinder_, target, goes_on ? loading_ : 0, state_);
+  return twod::creep_to(cylinder_, target, goes_on ? loading_ : 0, state_,
+                        to_the_end(mixed::creep_options()));
 }
 
 // By the route; down in λr unless told otherwise.
@@ -178,8 +181,7 @@ bool CylinderSweep::finish_path() {
   cylinder_.flow().set_load_factor(loading_);
   cylinder_.flow().set_lambda_r(options_.scene.lambda_r);
   const solve::NewtonSummary newton = solve::newton(
-      cylinder_.flow(), state_,
-      {.tolerance = 1e-13, .distance = 1e-10, .line_search = solve::LineSearch::residual_norm});
+      cylinder_.flow(), state_, to_the_end({.line_search = solve::LineSearch::residual_norm}));
   if (!solve::is_success(newton.end)) return fail(solve::name_of(newton.end));
   return finish_loading(measure(cylinder_, state_), 1);
 }
@@ -189,6 +191,12 @@ bool CylinderSweep::finish_creep(const mixed::CreepSummary& creep) {
   const CylinderMeasures m = measure(cylinder_, state_);
   record(creep, m);
   return finish_loading(m, creep.loads);
+}
+
+solve::NewtonOptions CylinderSweep::to_the_end(solve::NewtonOptions options) const {
+  options.tolerance = options_.tolerance;
+  options.distance = options_.distance;
+  return options;
 }
 
 // Creep is a point of path.csv as well.

@@ -36,7 +36,9 @@ struct SweepOptions {
   Continuation continuation = Continuation::primal_dual;
   Route route = Route::cheapest;
   int max_points = 400;  ///< of one path
-  bool resume = false;   ///< go on from the checkpoint in the folder, if there is one
+  /// Of the solution at each loading, as NewtonOptions has them.
+  double tolerance = 1e-13, distance = 1e-10;
+  bool resume = false;  ///< go on from the checkpoint in the folder, if there is one
 };
 
 class CylinderSweep {
@@ -82,6 +84,7 @@ class CylinderSweep {
   bool follow_paths(double target);
   bool accept(CylinderPath path);
   bool finish_path();
+  solve::NewtonOptions to_the_end(solve::NewtonOptions options) const;
   bool finish_creep(const mixed::CreepSummary& creep);
   bool finish_loading(const CylinderMeasures& measures, int loads);
   void add_to_sweep(const CylinderMeasures& measures);

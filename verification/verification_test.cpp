@@ -45,6 +45,18 @@ BOOST_AUTO_TEST_CASE(a_check_keeps_both_bounds_and_nan_keeps_none) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_number_of_another_code_is_held_within_its_uncertainty_and_names_its_source) {
+  const verification::Reference known{10, 0.5, "a book"};
+  Chapter chapter;
+  BOOST_TEST(chapter.check("ours", 10.4, known));
+  BOOST_TEST(chapter.checks.front().what == "ours (a book)");
+  for (const double apart : {9.4, 10.6, std::numeric_limits<double>::quiet_NaN()})
+    BOOST_TEST(!chapter.check("ours", apart, known));
+  BOOST_TEST(chapter.check("ours", 10.9, known.within(0.1)));
+  BOOST_TEST(verification::references::cylinder_creep(0.04).drag.value == 4.61716);
+  BOOST_CHECK_THROW(verification::references::cylinder_creep(0.02), std::out_of_range);
+}
+
 BOOST_AUTO_TEST_CASE(the_fitted_order_of_a_power_law_is_its_exponent) {
   std::vector<double> h, error;
   for (int k = 0; k < 5; ++k) {

@@ -157,8 +157,7 @@ int main(int argc, char** argv) {
       "Only list the command lines of the parts, each with a folder of its own in --output, "
       "or in results/parts");
   io::add_text(app, "--merge", asked.merge,
-               "Run nothing; take the parts from these folders, joined by commas, or the folders "
-               "within")
+               "Run nothing; take the parts from these folders, or the folders within")
       ->expected(1, 1000);
   io::add_text(app, "--output", asked.output, "Folder for the report and its files");
   return io::run_program(app, argc, argv, [&] {

@@ -60,8 +60,8 @@ solve::NewtonSummary creep_from_rest(MixedFlow<Dim>& flow, solve::CompensatedVec
 
 }  // namespace
 
-solve::NewtonOptions creep_options(double tolerance) {
-  return {.tolerance = tolerance,
+solve::NewtonOptions creep_options() {
+  return {.tolerance = 1e-13,
           .distance = 1e-10,
           .max_iterations = 25,
           .stall_iterations = 6,

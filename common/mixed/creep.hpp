@@ -8,7 +8,7 @@
 namespace talus::mixed {
 
 /// Newton's options for creep: few iterations, for a load that does not creep must not cost much.
-solve::NewtonOptions creep_options(double tolerance = 1e-13);
+solve::NewtonOptions creep_options();
 
 /// How a load was come to.
 struct CreepSummary {

@@ -6,13 +6,13 @@
 #include "verification/cost/cost_parts.hpp"
 #include "verification/harness/fit.hpp"
 #include "verification/harness/methods.hpp"
+#include "verification/harness/references.hpp"
 
 namespace talus::verification {
 namespace {
 
 constexpr double angle = 0.42;
-// As in the study heap, from the interior point on meshes graded quadratically up to 140x200.
-constexpr double limit_rate = 82.495;
+constexpr double limit_rate = references::heap_flow_rate_limit.value;
 
 struct Method {
   std::string label;

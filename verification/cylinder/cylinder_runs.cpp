@@ -29,7 +29,6 @@ twod::CylinderObserver recorder(Followed& followed) {
 solve::PathOptions path_options(int max_points) {
   auto options = twod::cylinder_path_options();
   options.max_points = max_points;
-  options.smallest_step = 1e-4;  // at a fold the steps of natural continuation are halved to this
   return options;
 }
 

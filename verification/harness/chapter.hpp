@@ -9,6 +9,7 @@
 #include "common/io/figure.hpp"
 #include "common/io/table.hpp"
 #include "oned/shear_scene.hpp"
+#include "verification/harness/references.hpp"
 
 namespace talus::verification {
 
@@ -28,6 +29,11 @@ struct Chapter {
   void text(std::string paragraph) { blocks.emplace_back(std::move(paragraph)); }
   void table(io::Table table) { blocks.emplace_back(std::move(table)); }
   void figure(io::Figure figure) { blocks.emplace_back(std::move(figure)); }
+  /// A number within the uncertainty of another's.
+  bool check(const std::string& what, double value, const Reference& reference) {
+    return check(what + " (" + reference.source + ")", value,
+                 reference.value - reference.uncertainty, reference.value + reference.uncertainty);
+  }
   /// Returns whether it holds, for the sentences that rest on it.
   bool check(std::string what, double value, double lower, double upper) {
     checks.push_back({std::move(what), value, lower, upper});

@@ -52,7 +52,15 @@ run "$study" converge heap --elements 4x4,8x8,16x16 --method newton,interior-poi
   --merge "$work/elsewhere"
 check expect_code 0
 check expect_text stdout "6 of 6 arrive"
-rm "$(find "$work/elsewhere/cases" -name '*.json' | head -n 1)"
+mkdir "$work/there"
+mv "$(find "$work/elsewhere/cases" -name '*.json' | head -n 1)" "$work/there"
+for folders in "$work/elsewhere $work/there" "$work/there,$work/elsewhere"; do
+  # shellcheck disable=SC2086  # words
+  run "$study" converge heap --merge $folders --elements 4x4,8x8,16x16 \
+    --method newton,interior-point --lambda-r 1e-4
+  check expect_code 0
+  check expect_text stdout "6 of 6 arrive"
+done
 run_again "$study" converge heap --elements 4x4,8x8,16x16 --method newton,interior-point \
   --lambda-r 1e-4 --merge "$work/elsewhere"
 check expect_code 1

@@ -35,8 +35,8 @@ void print_cases(const study::Program& program, const std::vector<study::Options
   }
 }
 
-// Sorts the words of the command line: those of the study itself are returned, kind and scene last;
-// the options of the scene and their values are left in `others`.
+// Sorts the words of the command line: those of the study itself are returned, kind and scene
+// first; the options of the scene and their values are left in `others`.
 std::vector<std::string> own_words(const CLI::App& app, int argc, char** argv,
                                    std::vector<std::string>& others) {
   const std::vector<std::string> words(argv, argv + argc);
@@ -47,16 +47,18 @@ std::vector<std::string> own_words(const CLI::App& app, int argc, char** argv,
         is_option ? app.get_option_no_throw(words[i].substr(0, words[i].find('='))) : nullptr;
     if (ours) {
       own.push_back(words[i]);
-      const bool takes_next = ours->get_items_expected_max() > 0 &&
-                              words[i].find('=') == std::string::npos && i + 1 < words.size();
-      if (takes_next) own.push_back(words[++i]);
+      const int most = words[i].find('=') == std::string::npos ? ours->get_items_expected_max() : 0;
+      for (int taken = 0; taken < most && i + 1 < words.size(); ++taken) {
+        if (taken > 0 && words[i + 1].rfind("-", 0) == 0) break;
+        own.push_back(words[++i]);
+      }
     } else if (!is_option && names.size() < 2 && others.empty()) {
       names.push_back(words[i]);
     } else {
       others.push_back(words[i]);
     }
   }
-  own.insert(own.end(), names.begin(), names.end());
+  own.insert(own.begin() + 1, names.begin(), names.end());  // behind --merge they would be folders
   return own;
 }
 
@@ -138,8 +140,8 @@ int main(int argc, char** argv) {
       ->default_str("");
   io::add_real(app, "--time-limit", asked.run.time_limit, "Seconds that a case may take", 1, 1e6);
   app.add_flag("--list", asked.list, "Only list the command lines of the cases");
-  io::add_text(app, "--merge", asked.merge,
-               "Solve nothing; take the records from these folders, joined by commas");
+  io::add_text(app, "--merge", asked.merge, "Solve nothing; take the records from these folders")
+      ->expected(1, 1000);
   io::add_text(app, "--output", asked.output, "Folder; default results/study/KIND-SCENE");
   std::vector<std::string> own = own_words(app, argc, argv, asked.scene_words);
   std::vector<char*> pointers;
