@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(one_entry_a_percent_off_is_wrong_and_located) {
         shear::ShearFlow<1> problem(
             space, {scene.law(), rheology::ChauchatMedale{}, lambda_r},
             [&](const auto& x) { return scene.pressure(x[0]); }, [](const auto&) { return 0.; });
-        solve::CompensatedVector state(space.node_count());
+        shear::ShearFlow<1>::State state(space.node_count());
         for (Eigen::Index i = 0; i < state.size(); ++i)
           state.set(i, lambda_r * space.mesh().nodes[static_cast<std::size_t>(i)][0]);
         auto jacobian = shear::jacobian_problem(problem, space, state);

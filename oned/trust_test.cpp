@@ -16,7 +16,7 @@ double distance_left(const oned::ShearScene& scene, const std::vector<double>& l
                      const oned::SolveOptions& options, const oned::Solution& solution) {
   auto space = oned::space_of(scene, line);
   auto problem = shear::regularised_problem(space, oned::load_of(scene), options);
-  solve::CompensatedVector state = solution.velocity, step;
+  shear::ShearFlow<1>::State state(solution.velocity), step;
   for (int i = 0; i < 3; ++i) {
     const Eigen::VectorXd residual = problem.evaluate(state).value;
     BOOST_REQUIRE(problem.linear_solve(-residual, step));

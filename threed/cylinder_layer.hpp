@@ -10,7 +10,7 @@ namespace talus::threed {
 /// Coordinates (x, z, and the axis of the cylinder); lengths in D, the rest scaled as the plane's.
 class CylinderLayer {
  public:
-  using State = solve::CompensatedVector;
+  using State = mixed::MixedFlow<3>::State;
   /// The scene of a plane flow, at its λr and loading. The paper's thickness is not given.
   explicit CylinderLayer(const twod::CylinderFlow& plane, double thickness = 1);
   CylinderLayer(const CylinderLayer&) = delete;  // flow_ refers to space_

@@ -36,7 +36,7 @@ std::optional<HeapMesh> coarsened(const Heap& heap, const HeapMesh& mesh);
 /// The discrete problem of a scene.
 class HeapFlow {
  public:
-  using State = solve::CompensatedVector;
+  using State = mixed::MixedFlow<3>::State;
   HeapFlow(const Heap& heap, const HeapMesh& mesh);
   HeapFlow(const HeapFlow&) = delete;  // flow_ refers to space_
   HeapFlow& operator=(const HeapFlow&) = delete;

@@ -31,7 +31,7 @@ State interpolated(const HeapFlow& from, const State& state, const HeapFlow& to)
   return result;
 }
 
-mixed::MixedFlow<3>::StressField stress_of(const HeapFlow& flow, const State& state) {
+mixed::MixedFlow<3>::StressField stress_field(const HeapFlow& flow, const State& state) {
   return [&](const fem::Point<3>& position) -> Eigen::Matrix3d {
     const mixed::FlowPoint<3> at = flow.point_at(state, position);
     const Eigen::Matrix3d& gradient = at.values.velocity_gradient;
@@ -46,13 +46,13 @@ solve::ContinuationSummary solve_on(HeapFlow& heap, State& state, const HeapOpti
   mixed::set_tangent(heap.flow(), options.tangent);
   if (coarse) {
     state = interpolated(*coarse, coarse_state, heap);
-    if (heap.flow().carries_stress()) heap.flow().carry_stress(stress_of(*coarse, coarse_state));
+    if (heap.flow().is_primal_dual())
+      state.stress = heap.flow().stress_of(stress_field(*coarse, coarse_state));
     solve::NewtonSummary newton = solve::newton(heap.flow(), state, options.newton);
     if (is_success(newton.end) || !options.comes_down) return {std::move(newton), {}};
     tried.push_back({heap.heap().lambda_r, newton.end, newton.iterations()});
   }
   state = heap.space().start();
-  mixed::set_tangent(heap.flow(), options.tangent);
   if (!options.comes_down) return {solve::newton(heap.flow(), state, options.newton), {}};
   auto summary = solve::newton_along_path(heap.flow(), state, options.newton, way_down);
   summary.path.insert(summary.path.begin(), tried.begin(), tried.end());
@@ -85,7 +85,7 @@ twod::SectionSolution middle_of(const HeapFlow& heap, const State& state) {
     value[node] = state.value()[index];
     correction[node] = state.correction()[index];
   }
-  middle.velocity = State(std::move(value), std::move(correction));
+  middle.velocity = solve::CompensatedVector(std::move(value), std::move(correction));
   const double reference = along % 2 ? 0 : -1;
   for (auto e = static_cast<std::size_t>(along / 2); e < space.element_count();
        e += static_cast<std::size_t>(along))

@@ -18,16 +18,15 @@ mixed::MixedFlow<Dim> problem_of(const oned::ShearScene& scene, const mixed::Mix
 
 template <int Dim>
 solve::ContinuationSummary solve_from_rest(mixed::MixedFlow<Dim>& problem,
-                                           solve::CompensatedVector& state,
+                                           typename mixed::MixedFlow<Dim>::State& state,
                                            const UnidirectionalOptions& options) {
   solve::NewtonOptions newton = options.newton;
   newton.line_search = solve::LineSearch::none;
-  const solve::CompensatedVector rest = state;
+  const auto rest = state;
   solve::ContinuationSummary direct{solve::newton(problem, state, newton), {}, options.lambda_r};
   if (solve::is_success(direct.newton.end) || options.continuation == shear::Continuation::never)
     return direct;
   state = rest;
-  mixed::set_tangent(problem, options.tangent_term);
   newton.line_search = solve::LineSearch::residual_norm;
   auto summary = solve::newton_along_path(problem, state, newton, options.path);
   summary.path.insert(summary.path.begin(),

@@ -18,7 +18,7 @@ struct UnidirectionalOptions : oned::SolveOptions {
 template <int Dim>
 struct UnidirectionalSolution {
   std::unique_ptr<mixed::MixedSpace<Dim>> space;
-  solve::CompensatedVector state;
+  typename mixed::MixedFlow<Dim>::State state;
   /// The line across where the flow enters, as a solution of the one-dimensional model, with its
   /// quadrature points; the end, Newton's record and the CPU time with it.
   oned::Solution line;

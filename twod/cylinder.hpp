@@ -30,7 +30,7 @@ struct Cylinder {
 /// The discrete problem of a scene.
 class CylinderFlow {
  public:
-  using State = solve::CompensatedVector;
+  using State = mixed::MixedFlow<2>::State;
   explicit CylinderFlow(const Cylinder& scene);
   CylinderFlow(const CylinderFlow&) = delete;  // flow_ refers to space_
   CylinderFlow& operator=(const CylinderFlow&) = delete;

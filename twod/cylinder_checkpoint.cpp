@@ -64,12 +64,17 @@ void CylinderSweep::save(const std::string& stage, double target,
   for (const auto& arrival : arrivals_) notes["reached"].push_back(as_json(arrival));
   for (const auto& measures : sweep_) notes["sweep"].push_back(as_json(measures));
   for (const auto& record : records_) notes["path"].push_back(as_json(record));
-  program::write_checkpoint(folder_, checkpoint_name,
-                            {notes, start, cylinder_.flow().carried_stress()});
+  program::write_checkpoint(
+      folder_, checkpoint_name,
+      {notes,
+       {start.state, start.parameter, start.direction, start.step, start.reference_sign, start.secant},
+       mixed::numbers_of<2>(start.state.stress)});
 }
 
-// Takes over from a checkpoint what it knows of the run. Throws io::UserError if it is of another.
-void CylinderSweep::recall(const program::Checkpoint& checkpoint) {
+// Takes over from a checkpoint what it knows of the run, and where it stood: with its stress only if
+// it goes on in the same way. Throws io::UserError if it is of another run.
+solve::PathStart<CylinderFlow::State> CylinderSweep::recall(
+    const program::Checkpoint& checkpoint) {
   const auto other = [&](const std::string& what) {
     return io::UserError("--resume: '" + (folder_.path() / checkpoint_name).string() +
                          "' belongs to a run with other options (" + what +
@@ -92,10 +97,14 @@ void CylinderSweep::recall(const program::Checkpoint& checkpoint) {
     earlier_iterations_ = notes.at("iterations");
     if (!notes.at("stage").is_string() || !notes.at("target").is_number())
       throw other("notes of another version");
-    const bool is_same_way =
-        notes.at("parameters").at("continuation") == parameters_.at("continuation");
-    if (is_same_way && options_.continuation == Continuation::primal_dual)
-      cylinder_.flow().carry_stress(checkpoint.carried_stress);
+    const auto& at = checkpoint.start;
+    if (notes.at("parameters").at("continuation") != parameters_.at("continuation"))
+      return {.state = CylinderFlow::State(at.state), .parameter = at.parameter, .direction = 0};
+    CylinderFlow::State state(at.state, cylinder_.flow().stress_of(checkpoint.carried_stress));
+    std::optional<CylinderFlow::State> secant;
+    if (at.secant) secant.emplace(*at.secant);
+    return {std::move(state), at.parameter, at.direction, at.step, at.reference_sign,
+            std::move(secant)};
   } catch (const nlohmann::json::exception&) {
     throw other("notes of another version");
   } catch (const std::invalid_argument& error) {
@@ -116,7 +125,7 @@ bool CylinderSweep::resume() {
     std::cout << "no checkpoint in " << folder_.path().string() << ": from the start\n";
     return true;
   }
-  recall(*checkpoint);
+  auto start = recall(*checkpoint);
   folder_.remove_older(files());
   if (!sweep_.empty()) write_sweep();
   const nlohmann::json& notes = checkpoint->notes;
@@ -124,20 +133,17 @@ bool CylinderSweep::resume() {
   const double target = notes.at("target");
   const bool follows_lambda_r = stage == "lambda_r";
   const double end = follows_lambda_r ? std::log10(options_.scene.lambda_r) : target;
-  bool arrived = stage == "reached" || checkpoint->start.parameter == end;
+  bool arrived = stage == "reached" || start.parameter == end;
   if (arrived) {
-    state_ = std::move(checkpoint->start.state);
+    state_ = std::move(start.state);
+    state_.stress.clear();
     loading_ = target;
-    cylinder_.flow().stop_carrying_stress();
     cylinder_.flow().set_load_factor(loading_);
     cylinder_.flow().set_lambda_r(options_.scene.lambda_r);
   } else {
     has_start_ = true;
-    auto& start = checkpoint->start;
-    if (notes.at("parameters").at("continuation") != parameters_.at("continuation")) {
-      start = {.state = std::move(start.state),  // without the step and sense of the other
-               .parameter = start.parameter,
-               .direction = end > start.parameter ? 1 : -1};
+    if (start.direction == 0) {  // of another way
+      start.direction = end > start.parameter ? 1 : -1;
       path_points_ = 0;
     }
     arrived =

@@ -38,7 +38,7 @@ CylinderPath follow(CylinderFlow& cylinder, Problem problem, solve::PathStart<St
     return solve::follow_arclength(problem, std::move(start), options, observer);
   if (continuation == Continuation::natural) {
     solve::PathOptions near = options;  // a step that arrives shows it soon
-    near.stalled_corrections = 5;
+    near.corrector.stall_iterations = 5;
     near.smallest_step = 1e-3;  // what stops it there is a fold, which it cannot pass
     return solve::follow_natural(problem, std::move(start), solve::Predictor::secant, near,
                                  observer);
@@ -46,15 +46,15 @@ CylinderPath follow(CylinderFlow& cylinder, Problem problem, solve::PathStart<St
   // Steps so long that a tangent says nothing about their end, with time to converge.
   solve::PathOptions far = options;
   far.largest_step = 2;
-  const int saved = options.on_the_way > options.tolerance ? 1 : 0;  // corrections, by rough points
+  const int saved = options.on_the_way > options.corrector.tolerance ? 1 : 0;  // corrections, by rough points
   far.few_corrections = 8 - saved;
   far.many_corrections = 14 - saved;
-  far.max_corrections = most_corrections;
-  far.hopeless = beyond_hope;
-  if (!cylinder.flow().carries_stress()) cylinder.flow().carry_stress();  // a path resumed does
+  far.corrector.max_iterations = most_corrections;
+  far.corrector.hopeless = beyond_hope;
+  cylinder.flow().set_primal_dual(true);
   auto path =
       solve::follow_natural(problem, std::move(start), solve::Predictor::constant, far, observer);
-  cylinder.flow().stop_carrying_stress();
+  cylinder.flow().set_primal_dual(false);
   return path;
 }
 
@@ -108,9 +108,10 @@ struct SmoothStart {
 SmoothStart start_at(CylinderFlow& cylinder, double loading, double lambda_r, bool is_primal_dual,
                      double tolerance) {
   SmoothStart start;
-  if (is_primal_dual) cylinder.flow().carry_stress();
+  cylinder.flow().set_primal_dual(is_primal_dual);
   const auto newton = smooth_start(cylinder, loading, lambda_r, start.state, tolerance);
-  cylinder.flow().stop_carrying_stress();
+  cylinder.flow().set_primal_dual(false);
+  start.state.stress.clear();  // of another law
   start.lambda_r = cylinder.flow().rheology().lambda_r;
   start.succeeded = solve::is_success(newton.end);
   return start;
@@ -127,7 +128,7 @@ SmoothStart start_under_floors(CylinderFlow& cylinder, double loading, double to
   constexpr double roughest = 1e-3;
   SmoothStart start{.state = cylinder.space().start()};
   cylinder.flow().set_load_factor(loading);
-  cylinder.flow().carry_stress();
+  cylinder.flow().set_primal_dual(true);
   for (const Stage& stage :
        {Stage{loading_lambda_r, 0.1, roughest, solve::LineSearch::residual_norm},
         Stage{primal_dual_lambda_r, 0.03, roughest, solve::LineSearch::none},
@@ -143,12 +144,11 @@ SmoothStart start_under_floors(CylinderFlow& cylinder, double loading, double to
                                        .max_iterations = most_corrections,
                                        .hopeless = beyond_hope,
                                        .line_search = stage.line_search});
+    start.state.stress.clear();  // of this stage's law
     start.succeeded = solve::is_success(newton.end);
     if (!start.succeeded) break;
-    cylinder.flow().stop_carrying_stress();
-    cylinder.flow().carry_stress();
   }
-  cylinder.flow().stop_carrying_stress();
+  cylinder.flow().set_primal_dual(false);
   rheology::Rheology law = own;
   law.lambda_r = start.lambda_r;
   cylinder.flow().set_rheology(law);
@@ -159,7 +159,7 @@ SmoothStart start_under_floors(CylinderFlow& cylinder, double loading, double to
 SmoothStart start_along_loading(CylinderFlow& cylinder, double loading, double lambda_r,
                                 const solve::PathOptions& options) {
   const double held = held_loading(cylinder.scene());
-  SmoothStart start = start_at(cylinder, held, lambda_r, true, options.tolerance);
+  SmoothStart start = start_at(cylinder, held, lambda_r, true, options.corrector.tolerance);
   if (!start.succeeded) return start;
   auto along = loading_options(cylinder.scene(), loading, options);
   along.smallest_step = 0.02;  // rather set out from another λr than creep
@@ -176,11 +176,11 @@ SmoothStart start_from_rest(CylinderFlow& cylinder, double loading, Continuation
   const bool is_primal_dual = continuation == Continuation::primal_dual;
   const double preferred = is_primal_dual ? primal_dual_lambda_r : smooth_lambda_r;
   if (is_primal_dual) {
-    auto start = start_under_floors(cylinder, loading, options.tolerance);
+    auto start = start_under_floors(cylinder, loading, options.corrector.tolerance);
     if (start.succeeded) return start;
   }
   const SmoothStart from_rest =
-      start_at(cylinder, loading, preferred, is_primal_dual, options.tolerance);
+      start_at(cylinder, loading, preferred, is_primal_dual, options.corrector.tolerance);
   if (from_rest.succeeded) return from_rest;
   if (loading > held_loading(cylinder.scene()))
     for (const double lambda_r : is_primal_dual
@@ -189,7 +189,7 @@ SmoothStart start_from_rest(CylinderFlow& cylinder, double loading, Continuation
       auto along = start_along_loading(cylinder, loading, lambda_r, options);
       if (along.succeeded) return along;
     }
-  return is_primal_dual ? start_at(cylinder, loading, smooth_lambda_r, true, options.tolerance)
+  return is_primal_dual ? start_at(cylinder, loading, smooth_lambda_r, true, options.corrector.tolerance)
                         : from_rest;
 }
 
@@ -226,7 +226,7 @@ bool may_creep(const Cylinder& scene, double loading) {
 
 solve::PathOptions cylinder_path_options() {
   solve::PathOptions options;
-  options.tolerance = 1e-9;
+  options.corrector.tolerance = 1e-9;
   options.few_corrections = 4;
   options.growth = 2;
   options.largest_step = 1;

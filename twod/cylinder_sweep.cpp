@@ -163,6 +163,7 @@ bool CylinderSweep::fail(const std::string& status) {
 // Takes over where a path ended; true if that is its target.
 bool CylinderSweep::accept(CylinderPath path) {
   state_ = std::move(path.next.state);
+  state_.stress.clear();  // the path's own
   loading_ = cylinder_.flow().load_factor();
   return path.end == solve::PathEnd::target_reached || fail(solve::name_of(path.end));
 }

@@ -76,7 +76,7 @@ class CylinderSweep {
             const solve::PathStart<CylinderFlow::State>& start) const;
   void start_anew() const;
   bool resume();
-  void recall(const program::Checkpoint& checkpoint);
+  solve::PathStart<CylinderFlow::State> recall(const program::Checkpoint& checkpoint);
   bool reach(double target);
   mixed::CreepSummary creep_to(double target);
   bool starts_by_creep(double first);

@@ -70,7 +70,7 @@ shear::ShearOptions default_options() {
   options.lambda_r = 1e-5;
   options.tangent_term = shear::TangentTerm::primal_dual;
   options.continuation = shear::Continuation::always;
-  options.path.factor = 1e-3;
+  options.path.step = 3;
   options.path.tolerance_on_the_way = 1e-2;
   return options;
 }

@@ -5,61 +5,60 @@
 #include "common/mixed/mixed_flow.hpp"
 
 namespace talus::mixed {
+namespace {
+
+template <class Stress, class Body>
+void for_each_entry(Stress& stress, const Body& body) {
+  for (auto& batch : stress)
+    for (auto& tau : batch)
+      for (auto& row : tau)
+        for (auto& entry : row) body(entry);
+}
+
+}  // namespace
 
 template <int Dim>
-void MixedFlow<Dim>::carry_stress(const StressField& stress) {
-  carries_stress_ = true;
-  carried_.clear();
-  if (!stress) return;
-  carried_.resize(loads_.size());
-  for (std::size_t b = 0; b < carried_.size(); ++b)
-    for (std::size_t q = 0; q < carried_[b].size(); ++q)
+auto MixedFlow<Dim>::stress_of(const StressField& field) const -> Stress {
+  Stress stress(loads_.size());
+  for (std::size_t b = 0; b < stress.size(); ++b)
+    for (std::size_t q = 0; q < stress[b].size(); ++q)
       for (std::size_t lane = 0; lane < lanes; ++lane) {
-        const auto tau = stress(position_of(b, q, lane));
+        const auto tau = field(position_of(b, q, lane));
         for (std::size_t i = 0; i < Dim; ++i)
           for (std::size_t j = 0; j < Dim; ++j)
-            carried_[b][q][i][j][lane] =
+            stress[b][q][i][j][lane] =
                 tau(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
       }
+  return stress;
 }
 
 template <int Dim>
-std::vector<double> MixedFlow<Dim>::carried_stress() const {
+auto MixedFlow<Dim>::stress_of(std::span<const double> numbers) const -> Stress {
+  Stress stress(numbers.empty() ? 0 : loads_.size());
+  const std::size_t all = stress.size() * sizeof(CarriedStress<Dim>) / sizeof(double);
+  if (numbers.size() != all)
+    throw std::invalid_argument("a carried stress of " + std::to_string(numbers.size()) +
+                                " numbers where there are " + std::to_string(all));
+  auto next = numbers.begin();
+  for_each_entry(stress, [&](Pack& entry) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) entry[lane] = *next++;
+  });
+  return stress;
+}
+
+template <int Dim>
+std::vector<double> numbers_of(const std::vector<CarriedStress<Dim>>& stress) {
   std::vector<double> numbers;
-  for (const CarriedStress<Dim>& batch : carried_)
-    for (const PackTensor<Dim>& tau : batch)
-      for (const auto& row : tau)
-        for (const Pack& entry : row)
-          for (std::size_t lane = 0; lane < lanes; ++lane) numbers.push_back(entry[lane]);
+  for_each_entry(stress, [&](const Pack& entry) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) numbers.push_back(entry[lane]);
+  });
   return numbers;
 }
 
+// What the tangent predicts after the whole step, in equilibrium with the load.
 template <int Dim>
-void MixedFlow<Dim>::carry_stress(std::span<const double> numbers) {
-  const std::size_t all = loads_.size() * Space::points_per_element * Dim * Dim * lanes;
-  if (!numbers.empty() && numbers.size() != all)
-    throw std::invalid_argument("a carried stress of " + std::to_string(numbers.size()) +
-                                " numbers where there are " + std::to_string(all));
-  carries_stress_ = true;
-  carried_.assign(numbers.empty() ? 0 : loads_.size(), {});
-  auto next = numbers.begin();
-  for (CarriedStress<Dim>& batch : carried_)
-    for (PackTensor<Dim>& tau : batch)
-      for (auto& row : tau)
-        for (Pack& entry : row)
-          for (std::size_t lane = 0; lane < lanes; ++lane) entry[lane] = *next++;
-}
-
-template <int Dim>
-void MixedFlow<Dim>::stop_carrying_stress() {
-  carries_stress_ = false;
-  carried_.clear();
-}
-
-// τ <- what the tangent predicts after the whole step, in equilibrium with the load.
-template <int Dim>
-void MixedFlow<Dim>::update_carried_stress(const State& step) {
-  std::vector<CarriedStress<Dim>> next(loads_.size());
+auto MixedFlow<Dim>::stress_after(const solve::CompensatedVector& step) const -> Stress {
+  Stress next(loads_.size());
   space_.for_each_batch([&](std::size_t b) {
     const auto& batch = space_.batches()[b];
     const BatchState<Dim> local(space_, batch, step);
@@ -77,19 +76,17 @@ void MixedFlow<Dim>::update_carried_stress(const State& step) {
           next[b][q][i][j] = at.viscosity * gamma[i][j] + change[i][j];
     }
   });
-  carried_ = std::move(next);
+  return next;
 }
 
+#define TALUS_FOR(Dim)                                                                        \
+  template auto MixedFlow<Dim>::stress_of(const StressField&) const -> Stress;                 \
+  template auto MixedFlow<Dim>::stress_of(std::span<const double>) const -> Stress;            \
+  template auto MixedFlow<Dim>::stress_after(const solve::CompensatedVector&) const -> Stress; \
+  template std::vector<double> numbers_of<Dim>(const std::vector<CarriedStress<Dim>>&);
 // The class is instantiated in mixed_flow.cpp, which does not see what is defined here.
-template void MixedFlow<2>::carry_stress(const StressField&);
-template void MixedFlow<3>::carry_stress(const StressField&);
-template std::vector<double> MixedFlow<2>::carried_stress() const;
-template std::vector<double> MixedFlow<3>::carried_stress() const;
-template void MixedFlow<2>::carry_stress(std::span<const double>);
-template void MixedFlow<3>::carry_stress(std::span<const double>);
-template void MixedFlow<2>::stop_carrying_stress();
-template void MixedFlow<3>::stop_carrying_stress();
-template void MixedFlow<2>::update_carried_stress(const State&);
-template void MixedFlow<3>::update_carried_stress(const State&);
+TALUS_FOR(2)
+TALUS_FOR(3)
+#undef TALUS_FOR
 
 }  // namespace talus::mixed

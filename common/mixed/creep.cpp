@@ -26,13 +26,14 @@ void scale_velocities(const MixedSpace<Dim>& space, double factor,
 // Creep asks for no determinants, so that factors may serve several steps; none from before, for
 // the answer is to follow from the state alone.
 template <int Dim>
-solve::NewtonSummary primal_dual_newton(MixedFlow<Dim>& flow, solve::CompensatedVector& state,
+solve::NewtonSummary primal_dual_newton(MixedFlow<Dim>& flow, typename MixedFlow<Dim>::State& state,
                                         const solve::NewtonOptions& options) {
   const LinearSolver own = flow.linear_solver();
   flow.set_linear_solver(LinearSolver::lagged);
-  flow.carry_stress();
+  flow.set_primal_dual(true);
+  state.stress.clear();
   const auto newton = solve::newton(flow, state, options);
-  flow.stop_carrying_stress();
+  flow.set_primal_dual(false);
   flow.set_linear_solver(own);
   return newton;
 }
@@ -40,7 +41,7 @@ solve::NewtonSummary primal_dual_newton(MixedFlow<Dim>& flow, solve::Compensated
 // Newton from rest under a smoother law, as far as a start needs; then, velocities scaled with λr,
 // under the flow's own.
 template <int Dim>
-solve::NewtonSummary creep_from_rest(MixedFlow<Dim>& flow, solve::CompensatedVector& state,
+solve::NewtonSummary creep_from_rest(MixedFlow<Dim>& flow, typename MixedFlow<Dim>::State& state,
                                      const solve::NewtonOptions& options) {
   const rheology::Rheology own = flow.rheology();
   rheology::Rheology smooth = own;
@@ -70,10 +71,10 @@ solve::NewtonOptions creep_options() {
 
 template <int Dim>
 CreepSummary creep_to_load(MixedFlow<Dim>& flow, double load, double load_before,
-                           solve::CompensatedVector& state, const solve::NewtonOptions& options) {
+                           typename MixedFlow<Dim>::State& state, const solve::NewtonOptions& options) {
   CreepSummary summary;
   const int first = flow.iterations();
-  solve::CompensatedVector here = state;
+  typename MixedFlow<Dim>::State here = state;
   double reached = load_before, step = load - load_before;
   while (summary.loads + summary.failures < most_loads) {
     const int left = first + options.max_iterations - flow.iterations();
@@ -83,7 +84,7 @@ CreepSummary creep_to_load(MixedFlow<Dim>& flow, double load, double load_before
     solve::NewtonOptions attempt = is_last ? options : roughly(options);
     attempt.max_iterations = left;
     flow.set_load_factor(next);
-    solve::CompensatedVector trial = here;
+    typename MixedFlow<Dim>::State trial = here;
     if (reached != 0) scale_velocities(flow.space(), next / reached, trial);
     summary.newton = reached == 0 ? creep_from_rest(flow, trial, attempt)
                                   : primal_dual_newton(flow, trial, attempt);
@@ -107,9 +108,9 @@ CreepSummary creep_to_load(MixedFlow<Dim>& flow, double load, double load_before
   return summary;
 }
 
-template CreepSummary creep_to_load(MixedFlow<2>&, double, double, solve::CompensatedVector&,
+template CreepSummary creep_to_load(MixedFlow<2>&, double, double, MixedFlow<2>::State&,
                                     const solve::NewtonOptions&);
-template CreepSummary creep_to_load(MixedFlow<3>&, double, double, solve::CompensatedVector&,
+template CreepSummary creep_to_load(MixedFlow<3>&, double, double, MixedFlow<3>::State&,
                                     const solve::NewtonOptions&);
 
 }  // namespace talus::mixed

@@ -24,7 +24,7 @@ struct CreepSummary {
 /// if it failed.
 template <int Dim>
 CreepSummary creep_to_load(MixedFlow<Dim>& flow, double load, double load_before,
-                           solve::CompensatedVector& state,
+                           typename MixedFlow<Dim>::State& state,
                            const solve::NewtonOptions& options = creep_options());
 
 }  // namespace talus::mixed

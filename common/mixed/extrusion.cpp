@@ -16,7 +16,7 @@ Eigen::Index nodes_along(const MixedSpace<Dim>& space, const solve::CompensatedV
 }  // namespace
 
 template <int Dim>
-solve::CompensatedVector extruded(const MixedSpace<Dim>& space,
+typename MixedSpace<Dim>::State extruded(const MixedSpace<Dim>& space,
                                   const solve::CompensatedVector& velocity) {
   Eigen::VectorXd value = Eigen::VectorXd::Zero(space.size()), correction = value;
   const Eigen::Index along = nodes_along(space, velocity);
@@ -49,8 +49,8 @@ Departure departure(const MixedSpace<Dim>& space, const solve::CompensatedVector
           farthest.pressure / largest_pressure};
 }
 
-template solve::CompensatedVector extruded(const MixedSpace<2>&, const solve::CompensatedVector&);
-template solve::CompensatedVector extruded(const MixedSpace<3>&, const solve::CompensatedVector&);
+template MixedSpace<2>::State extruded(const MixedSpace<2>&, const solve::CompensatedVector&);
+template MixedSpace<3>::State extruded(const MixedSpace<3>&, const solve::CompensatedVector&);
 template Departure departure(const MixedSpace<2>&, const solve::CompensatedVector&,
                              const solve::CompensatedVector&, double);
 template Departure departure(const MixedSpace<3>&, const solve::CompensatedVector&,

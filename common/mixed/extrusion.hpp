@@ -9,7 +9,7 @@ namespace talus::mixed {
 /// The state with these velocities along the stream; `velocity` holds one value for every node of
 /// the cross-section, numbered as in the tensor mesh of the other axes.
 template <int Dim>
-solve::CompensatedVector extruded(const MixedSpace<Dim>& space,
+typename MixedSpace<Dim>::State extruded(const MixedSpace<Dim>& space,
                                   const solve::CompensatedVector& velocity);
 
 /// How far a state is from such a flow: relative to its largest velocity, and for pressure, taken

@@ -45,7 +45,7 @@ fem::Mesh<3> extruded_mesh(const fem::Mesh<2>& plane, std::span<const double> bo
   return mesh;
 }
 
-solve::CompensatedVector extruded_state(const MixedSpace<2>& plane,
+MixedSpace<3>::State extruded_state(const MixedSpace<2>& plane,
                                         const solve::CompensatedVector& state,
                                         const MixedSpace<3>& space) {
   Eigen::VectorXd value = Eigen::VectorXd::Zero(space.size()), correction = value;

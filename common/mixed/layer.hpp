@@ -15,7 +15,7 @@ fem::Mesh<3> extruded_mesh(const fem::Mesh<2>& plane, std::span<const double> bo
 
 /// A state of plane flow on the extruded mesh: its velocities and pressures in every layer, no
 /// velocity along the new axis.
-solve::CompensatedVector extruded_state(const MixedSpace<2>& plane,
+MixedSpace<3>::State extruded_state(const MixedSpace<2>& plane,
                                         const solve::CompensatedVector& state,
                                         const MixedSpace<3>& space);
 

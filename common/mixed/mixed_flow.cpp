@@ -24,7 +24,7 @@ MixedFlow<Dim>::MixedFlow(const Space& space, rheology::Rheology rheology,
 }
 
 template <int Dim>
-FlowPoint<Dim> MixedFlow<Dim>::point_at(const State& state, std::size_t element,
+FlowPoint<Dim> MixedFlow<Dim>::point_at(const solve::CompensatedVector& state, std::size_t element,
                                         const fem::Point<Dim>& reference) const {
   const auto values = space_.values_at(state, element, reference);
   return {values, rheology_.local_state(values.shear_rate(),
@@ -52,7 +52,7 @@ const solve::Residual& MixedFlow<Dim>::evaluate(const State& state) {
 }
 
 template <int Dim>
-Eigen::VectorXd MixedFlow<Dim>::tangent_product(const State& x) const {
+Eigen::VectorXd MixedFlow<Dim>::tangent_product(const solve::CompensatedVector& x) const {
   Eigen::VectorXd product = Eigen::VectorXd::Zero(space_.size());
   space_.for_each_batch([&](std::size_t b) {
     const auto& batch = space_.batches()[b];
@@ -106,7 +106,7 @@ Eigen::VectorXd MixedFlow<Dim>::load_derivative() const {
 }
 
 template <int Dim>
-Eigen::VectorXd MixedFlow<Dim>::log_lambda_r_derivative(const State& state) const {
+Eigen::VectorXd MixedFlow<Dim>::log_lambda_r_derivative(const solve::CompensatedVector& state) const {
   constexpr double step = 1e-4;  // of ln λr: truncation and rounding are then both about 1e-9
   rheology::Rheology up = rheology_, down = rheology_;
   up.lambda_r *= std::exp(step);
@@ -120,7 +120,7 @@ Eigen::VectorXd MixedFlow<Dim>::log_lambda_r_derivative(const State& state) cons
 }
 
 template <int Dim>
-void MixedFlow<Dim>::add_open_sides(const State& x, Eigen::VectorXd& product) const {
+void MixedFlow<Dim>::add_open_sides(const solve::CompensatedVector& x, Eigen::VectorXd& product) const {
   for (const auto& face : space_.open_faces()) {
     const auto side = open_side(space_, rheology_, static_pressure_, evaluated_, face);
     const auto unknowns = element_unknowns(space_, face.element);

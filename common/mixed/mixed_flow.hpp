@@ -55,7 +55,8 @@ template <int Dim>
 class MixedFlow {
  public:
   using Space = MixedSpace<Dim>;
-  using State = solve::CompensatedVector;
+  using State = typename Space::State;
+  using Stress = std::vector<CarriedStress<Dim>>;
 
   /// `space` must outlive the problem.
   MixedFlow(const Space& space, rheology::Rheology rheology, const MixedLoad<Dim>& load,
@@ -77,24 +78,23 @@ class MixedFlow {
   double static_pressure(const fem::Point<Dim>& position) const {
     return static_pressure_(position);
   }
-  FlowPoint<Dim> point_at(const State& state, std::size_t element,
+  FlowPoint<Dim> point_at(const solve::CompensatedVector& state, std::size_t element,
                           const fem::Point<Dim>& reference) const;
   /// The body force is multiplied by this factor; 1 at first.
   double load_factor() const { return load_factor_; }
   void set_load_factor(double factor) { load_factor_ = factor; }
   void set_tangent_factors(const TangentFactors& factors) { factors_ = factors; }
-  /// From now on every linear solve is a Newton step of τ/η(|γ|, p) = γ with a stress τ carried
-  /// beside the state (the primal-dual form; see TangentTerm in shear_flow.hpp): another way to the
-  /// same solution, with fewer steps where η saturates. τ starts from `stress`, ηγ by position, or
-  /// without one from the first step. Not for arclength: one step, one solve.
+  /// Whether the tangent is that of the primal-dual form (see TangentTerm in shear_flow.hpp) about
+  /// the stress of the state, and directions carry a stress: another way to the same solution, with
+  /// fewer steps where η saturates. Not for arclength: one step, one solve.
+  void set_primal_dual(bool is_primal_dual) { is_primal_dual_ = is_primal_dual; }
+  bool is_primal_dual() const { return is_primal_dual_; }
+  /// A stress by position, to set out from.
   using StressField = std::function<Eigen::Matrix<double, Dim, Dim>(const fem::Point<Dim>&)>;
-  void carry_stress(const StressField& stress = {});
-  void stop_carrying_stress();
-  bool carries_stress() const { return carries_stress_; }
-  /// The stress carried, number by number: with it a checkpoint goes on as if nothing had been.
-  /// Empty: none yet. To carry one again throws std::invalid_argument if it is of another mesh.
-  std::vector<double> carried_stress() const;
-  void carry_stress(std::span<const double> numbers);
+  Stress stress_of(const StressField& field) const;
+  /// A stress from its numbers. Throws std::invalid_argument if there are too many or too few: they
+  /// are of another mesh, or of a machine with other vectors.
+  Stress stress_of(std::span<const double> numbers) const;
   LinearSolver linear_solver() const { return linear_solver_; }
   /// Factors made before are not used again.
   void set_linear_solver(LinearSolver solver) {
@@ -108,14 +108,14 @@ class MixedFlow {
   /// matrix. The factors are kept until the next evaluation.
   bool linear_solve(const Eigen::VectorXd& right_hand_side, State& x);
   /// J x, uncondensed; zero at fixed velocities.
-  Eigen::VectorXd tangent_product(const State& x) const;
+  Eigen::VectorXd tangent_product(const solve::CompensatedVector& x) const;
   /// The matrix that is factored, before it is condensed, from the same element tangents; without
   /// the penalty that only the linear solves have it is J. Fixed velocities have no entries.
   enum class TangentPenalty { of_residual, of_solves };
   Eigen::SparseMatrix<double> tangent_matrix(TangentPenalty penalty) const;
   /// dR/d(load factor) and, by a central difference, dR/d(ln λr) at a state; the tangent stays.
   Eigen::VectorXd load_derivative() const;
-  Eigen::VectorXd log_lambda_r_derivative(const State& state) const;
+  Eigen::VectorXd log_lambda_r_derivative(const solve::CompensatedVector& state) const;
   /// Sign of det J of the matrix last factored.
   int determinant_sign() const { return system_.determinant_sign(); }
 
@@ -137,23 +137,24 @@ class MixedFlow {
   };
   template <class Regularisation>
   void assemble(const Regularisation& regularisation, const rheology::Rheology& rheology,
-                const State& state, solve::Residual& residual, std::vector<States>* states) const;
+                const solve::CompensatedVector& state, solve::Residual& residual,
+                std::vector<States>* states) const;
   /// Residual at a state under a law; keeps the point states if there is a place for them.
-  void assemble_with(const rheology::Rheology& rheology, const State& state,
+  void assemble_with(const rheology::Rheology& rheology, const solve::CompensatedVector& state,
                      solve::Residual& residual, std::vector<States>* states) const;
-  void add_open_sides(const rheology::Rheology& rheology, const State& state,
+  void add_open_sides(const rheology::Rheology& rheology, const solve::CompensatedVector& state,
                       solve::Residual& residual) const;
   void add_open_sides(std::size_t batch, BatchTangent<Dim>& tangent) const;
-  void add_open_sides(const State& x, Eigen::VectorXd& product) const;
-  bool solve_linearised(const Eigen::VectorXd& right_hand_side, State& x);
+  void add_open_sides(const solve::CompensatedVector& x, Eigen::VectorXd& product) const;
+  bool solve_linearised(const Eigen::VectorXd& right_hand_side, solve::CompensatedVector& x);
   bool factor();
   void element_tangents(std::size_t batch, const Pack& penalty, BatchTangent<Dim>& tangent) const;
   const CarriedStress<Dim>* carried_in(std::size_t batch) const {
-    return carried_.empty() ? nullptr : &carried_[batch];
+    return is_primal_dual_ && !evaluated_.stress.empty() ? &evaluated_.stress[batch] : nullptr;
   }
-  void update_carried_stress(const State& step);
+  Stress stress_after(const solve::CompensatedVector& step) const;
   fem::Point<Dim> position_of(std::size_t batch, std::size_t point, std::size_t lane) const;
-  bool iterate(const Eigen::VectorXd& right_hand_side, State& x);
+  bool iterate(const Eigen::VectorXd& right_hand_side, solve::CompensatedVector& x);
   Pack tangent_penalty(std::size_t batch) const;
   double residual_penalty() const {
     return penalty_.kind == Penalty::plain ? penalty_.lambda_p : 0;
@@ -168,9 +169,8 @@ class MixedFlow {
   CondensedSystem<Dim> system_;
   std::vector<std::array<PointLoad, Space::points_per_element>> loads_;
   std::vector<States> states_;
-  bool carries_stress_ = false;
-  std::vector<CarriedStress<Dim>> carried_;  // empty before the first step: ηγ
-  State evaluated_;                          // the state last evaluated
+  bool is_primal_dual_ = false;
+  State evaluated_;  // the state last evaluated
   solve::Residual residual_;
   Eigen::VectorXd reactions_;
   bool is_factored_ = false;
@@ -178,6 +178,10 @@ class MixedFlow {
   solve::FactorLag lag_;
   int factorisations_ = 0, lagged_solves_ = 0, krylov_iterations_ = 0;
 };
+
+/// The numbers of a stress, for a checkpoint.
+template <int Dim>
+std::vector<double> numbers_of(const std::vector<CarriedStress<Dim>>& stress);
 
 extern template class MixedFlow<2>;
 extern template class MixedFlow<3>;

@@ -57,7 +57,7 @@ Eigen::VectorXd curvature_scale(const MixedFlow<Dim>& problem,
 // Velocities with a rate of strain of about `rate` everywhere and nowhere the same. No dynamic
 // pressure: its rounding would hide the little viscosity there is at a negative one.
 template <int Dim>
-solve::CompensatedVector sheared(const MixedSpace<Dim>& space, double rate) {
+typename MixedSpace<Dim>::State sheared(const MixedSpace<Dim>& space, double rate) {
   auto state = space.start();
   for (std::size_t node = 0; node < space.mesh().nodes.size(); ++node) {
     const fem::Point<Dim>& x = space.mesh().nodes[node];
@@ -108,7 +108,7 @@ void ask_where_it_can_be_seen(std::vector<solve::NamedCheck>& checks) {
 
 template <int Dim>
 solve::JacobianProblem jacobian_problem(MixedFlow<Dim>& problem,
-                                        const solve::CompensatedVector& state) {
+                                        const typename MixedFlow<Dim>::State& state) {
   const MixedSpace<Dim>& space = problem.space();
   solve::Block velocity{"velocity", {}}, pressure{"pressure", {}};
   for (Eigen::Index i = 0; i < space.size(); ++i)
@@ -126,7 +126,7 @@ solve::JacobianProblem jacobian_problem(MixedFlow<Dim>& problem,
   return {
       space.size(),
       [&problem, state, admissible](const Eigen::VectorXd& displacement) {
-        return problem.evaluate(state.moved(1, solve::CompensatedVector(admissible(displacement))));
+        return problem.evaluate(state.moved(1, typename MixedFlow<Dim>::State(admissible(displacement))));
       },
       [matrix, admissible](const Eigen::VectorXd& direction) -> Eigen::VectorXd {
         return *matrix * admissible(direction);
@@ -142,7 +142,7 @@ solve::JacobianProblem jacobian_problem(MixedFlow<Dim>& problem,
 }
 
 template <int Dim>
-double product_error(MixedFlow<Dim>& problem, const solve::CompensatedVector& state) {
+double product_error(MixedFlow<Dim>& problem, const typename MixedFlow<Dim>::State& state) {
   problem.evaluate(state);
   const Matrix matrix = problem.tangent_matrix(MixedFlow<Dim>::TangentPenalty::of_residual);
   const Eigen::VectorXd v =
@@ -158,12 +158,12 @@ double product_error(MixedFlow<Dim>& problem, const solve::CompensatedVector& st
 
 template <int Dim>
 solve::SystemError condensation_error(MixedFlow<Dim>& problem,
-                                      const solve::CompensatedVector& state) {
+                                      const typename MixedFlow<Dim>::State& state) {
   const MixedSpace<Dim>& space = problem.space();
   const Eigen::VectorXd b = random_vector(space);
   problem.evaluate(state);
   const Matrix matrix = problem.tangent_matrix(MixedFlow<Dim>::TangentPenalty::of_solves);
-  solve::CompensatedVector refined;
+  typename MixedFlow<Dim>::State refined;
   Eigen::VectorXd x;
   problem.linear_solve(b, refined);  // for its factors; whether refining helps is another question
   constexpr int refinements = 4;  // the condensing is asked for, not the round-off of the factors
@@ -209,12 +209,12 @@ std::vector<solve::NamedCheck> check_jacobian(const MixedFlow<Dim>& scene, doubl
   return checks;
 }
 
-template solve::JacobianProblem jacobian_problem(MixedFlow<2>&, const solve::CompensatedVector&);
-template solve::JacobianProblem jacobian_problem(MixedFlow<3>&, const solve::CompensatedVector&);
-template double product_error(MixedFlow<2>&, const solve::CompensatedVector&);
-template double product_error(MixedFlow<3>&, const solve::CompensatedVector&);
-template solve::SystemError condensation_error(MixedFlow<2>&, const solve::CompensatedVector&);
-template solve::SystemError condensation_error(MixedFlow<3>&, const solve::CompensatedVector&);
+template solve::JacobianProblem jacobian_problem(MixedFlow<2>&, const MixedFlow<2>::State&);
+template solve::JacobianProblem jacobian_problem(MixedFlow<3>&, const MixedFlow<3>::State&);
+template double product_error(MixedFlow<2>&, const MixedFlow<2>::State&);
+template double product_error(MixedFlow<3>&, const MixedFlow<3>::State&);
+template solve::SystemError condensation_error(MixedFlow<2>&, const MixedFlow<2>::State&);
+template solve::SystemError condensation_error(MixedFlow<3>&, const MixedFlow<3>::State&);
 template std::vector<solve::NamedCheck> check_jacobian(const MixedFlow<2>&, double);
 template std::vector<solve::NamedCheck> check_jacobian(const MixedFlow<3>&, double);
 

@@ -7,11 +7,6 @@
 
 namespace talus::mixed {
 
-template <int Dim>
-using PackVector = std::array<Pack, Dim>;
-template <int Dim>
-using PackTensor = std::array<std::array<Pack, Dim>, Dim>;
-
 /// grad N_a at a quadrature point.
 template <int Dim>
 using PackGradients = std::array<PackVector<Dim>, MixedSpace<Dim>::nodes_per_element>;
@@ -111,10 +106,6 @@ struct BatchState {
     return result;
   }
 };
-
-/// The stresses τ that the primal-dual form carries at the quadrature points of a batch.
-template <int Dim>
-using CarriedStress = std::array<PackTensor<Dim>, MixedSpace<Dim>::points_per_element>;
 
 /// τ/η - γ, which vanishes at a solution. As for a cross-section, τ is cut to where the viscous
 /// part of the tangent stays definite, |τ| <= σ(1 + x/2), σ = η|γ|, x = d ln σ/d ln|γ|.

@@ -13,7 +13,7 @@ namespace talus::mixed {
 template <int Dim>
 class MixedPath {
  public:
-  using State = solve::CompensatedVector;
+  using State = typename MixedFlow<Dim>::State;
 
   /// `flow` must outlive the path. Throws std::invalid_argument if its linear solver gives no
   /// determinants.

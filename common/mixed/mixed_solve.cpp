@@ -74,12 +74,13 @@ void take_out_slow_modes(const MixedFlow<Dim>& flow, const Eigen::VectorXd& righ
 template <int Dim>
 bool MixedFlow<Dim>::linear_solve(const Eigen::VectorXd& right_hand_side, State& x) {
   if (!solve_linearised(right_hand_side, x)) return false;
-  if (carries_stress_) update_carried_stress(x);
+  x.stress = is_primal_dual_ ? stress_after(x) : Stress();
   return true;
 }
 
 template <int Dim>
-bool MixedFlow<Dim>::solve_linearised(const Eigen::VectorXd& right_hand_side, State& x) {
+bool MixedFlow<Dim>::solve_linearised(const Eigen::VectorXd& right_hand_side,
+                                      solve::CompensatedVector& x) {
   if (!is_factored_ && linear_solver_ == LinearSolver::lagged && iterate(right_hand_side, x))
     return true;
   if (!is_factored_ && !factor()) return false;
@@ -94,7 +95,7 @@ bool MixedFlow<Dim>::solve_linearised(const Eigen::VectorXd& right_hand_side, St
   const double size = right_hand_side.norm();
   Eigen::VectorXd correction, left;
   if (!system_.solve(right_hand_side, correction)) return false;
-  State trial(correction);
+  solve::CompensatedVector trial(correction);
   double least = std::numeric_limits<double>::infinity();
   bool is_slow = false;
   for (int refinement = 0;; ++refinement) {
@@ -108,7 +109,7 @@ bool MixedFlow<Dim>::solve_linearised(const Eigen::VectorXd& right_hand_side, St
     if (is_slow || norm <= epsilon * size || refinement == most_refinements ||
         !system_.solve(rest, correction))
       break;
-    trial = trial.moved(1, State(correction));
+    trial = trial.moved(1, solve::CompensatedVector(correction));
   }
   if (!(least <= useful * size) || !x.value().allFinite()) return false;
   if (is_slow) take_out_slow_modes(*this, right_hand_side, left, x);
@@ -174,7 +175,8 @@ Eigen::SparseMatrix<double> MixedFlow<Dim>::tangent_matrix(TangentPenalty penalt
 
 // With factors of an earlier state, while they are worth it.
 template <int Dim>
-bool MixedFlow<Dim>::iterate(const Eigen::VectorXd& right_hand_side, State& x) {
+bool MixedFlow<Dim>::iterate(const Eigen::VectorXd& right_hand_side,
+                             solve::CompensatedVector& x) {
   if (lag_.budget() == 0) return false;
   Eigen::VectorXd solution;
   const auto summary = solve_preconditioned(*this, right_hand_side, solution,
@@ -183,7 +185,7 @@ bool MixedFlow<Dim>::iterate(const Eigen::VectorXd& right_hand_side, State& x) {
   if (!summary.converged) return false;
   lag_.iterated(summary.iterations);
   ++lagged_solves_;
-  x = State(solution);
+  x = solve::CompensatedVector(solution);
   return x.value().allFinite();
 }
 
@@ -228,17 +230,17 @@ void MixedFlow<Dim>::add_open_sides(std::size_t number, BatchTangent<Dim>& tange
 
 // The class is instantiated in mixed_flow.cpp, which does not see what is defined here.
 template bool MixedFlow<2>::linear_solve(const Eigen::VectorXd&, State&);
-template bool MixedFlow<2>::solve_linearised(const Eigen::VectorXd&, State&);
+template bool MixedFlow<2>::solve_linearised(const Eigen::VectorXd&, solve::CompensatedVector&);
 template bool MixedFlow<3>::linear_solve(const Eigen::VectorXd&, State&);
-template bool MixedFlow<3>::solve_linearised(const Eigen::VectorXd&, State&);
+template bool MixedFlow<3>::solve_linearised(const Eigen::VectorXd&, solve::CompensatedVector&);
 template Eigen::SparseMatrix<double> MixedFlow<2>::tangent_matrix(TangentPenalty) const;
 template Eigen::SparseMatrix<double> MixedFlow<3>::tangent_matrix(TangentPenalty) const;
 template void MixedFlow<2>::element_tangents(std::size_t, const Pack&, BatchTangent<2>&) const;
 template void MixedFlow<3>::element_tangents(std::size_t, const Pack&, BatchTangent<3>&) const;
 template bool MixedFlow<2>::factor();
 template bool MixedFlow<3>::factor();
-template bool MixedFlow<2>::iterate(const Eigen::VectorXd&, State&);
-template bool MixedFlow<3>::iterate(const Eigen::VectorXd&, State&);
+template bool MixedFlow<2>::iterate(const Eigen::VectorXd&, solve::CompensatedVector&);
+template bool MixedFlow<3>::iterate(const Eigen::VectorXd&, solve::CompensatedVector&);
 template Pack MixedFlow<2>::tangent_penalty(std::size_t) const;
 template Pack MixedFlow<3>::tangent_penalty(std::size_t) const;
 template void MixedFlow<2>::add_open_sides(std::size_t, BatchTangent<2>&) const;

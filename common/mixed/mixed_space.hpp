@@ -14,7 +14,7 @@
 
 #include "common/fem/geometry.hpp"
 #include "common/mixed/boundary_condition.hpp"
-#include "common/solve/compensated_vector.hpp"
+#include "common/solve/carried_stress.hpp"
 #include "common/solve/parallel.hpp"
 
 namespace talus::mixed {
@@ -22,6 +22,14 @@ namespace talus::mixed {
 /// The same number of as many elements as the machine's vectors hold.
 using Pack = std::experimental::native_simd<double>;
 inline constexpr std::size_t lanes = Pack::size();
+template <int Dim>
+using PackVector = std::array<Pack, Dim>;
+template <int Dim>
+using PackTensor = std::array<std::array<Pack, Dim>, Dim>;
+
+/// The stress τ that the primal-dual form carries at the quadrature points of a batch.
+template <int Dim>
+using CarriedStress = std::array<PackTensor<Dim>, fem::quadratic_nodes(Dim)>;
 
 /// Linear pressure in physical coordinates {1, x - x_c, ...}, or in those of the reference element:
 /// the latter loses an order on elements that are not parallelograms.
@@ -36,7 +44,7 @@ class MixedSpace {
   static constexpr int pressures = Dim + 1;
   using Vector = fem::Point<Dim>;
   using PressureValues = Eigen::Matrix<double, Dim + 1, 1>;
-  using State = solve::CompensatedVector;
+  using State = solve::WithStress<std::vector<CarriedStress<Dim>>>;
 
   /// The geometry of `lanes` elements at one quadrature point.
   struct BatchPoint {
@@ -116,7 +124,7 @@ class MixedSpace {
       return (velocity_gradient + velocity_gradient.transpose()).norm() / std::sqrt(2.0);
     }
   };
-  Values values_at(const State& state, std::size_t element, const Vector& reference) const;
+  Values values_at(const solve::CompensatedVector& state, std::size_t element, const Vector& reference) const;
 
  private:
   void constrain();

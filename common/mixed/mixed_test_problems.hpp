@@ -71,8 +71,8 @@ inline std::vector<TestState> test_states(double lambda_r) {
 }
 
 template <int Dim>
-solve::CompensatedVector state_of(const MixedSpace<Dim>& space, const TestState& test) {
-  solve::CompensatedVector state = space.start();
+typename MixedSpace<Dim>::State state_of(const MixedSpace<Dim>& space, const TestState& test) {
+  auto state = space.start();
   for (std::size_t node = 0; node < space.mesh().nodes.size(); ++node) {
     const fem::Point<Dim>& x = space.mesh().nodes[node];
     for (int i = 0; i < Dim; ++i)

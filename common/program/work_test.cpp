@@ -47,7 +47,7 @@ double mixed_ratio(const std::array<int, 3>& elements) {
       space, {{}, rheology::ChauchatMedale{}, 1e-2},
       {[](const auto&) { return 1.0; }, [](const auto&) { return fem::Point<Dim>::Ones(); }});
   problem.evaluate(space.start());
-  solve::CompensatedVector x;
+  typename mixed::MixedFlow<Dim>::State x;
   BOOST_REQUIRE(problem.linear_solve(Eigen::VectorXd::Zero(space.size()), x));
   return problem.system().factor_entries() / (2 * solve::nested_dissection(elements, Dim).entries);
 }

@@ -38,8 +38,8 @@ const solve::Residual& ShearFlow<Dim>::evaluate(const State& w) {
 }
 
 template <int Dim>
-auto ShearFlow<Dim>::tangent(const rheology::Viscosity& v, const Vector& g, std::size_t k) const ->
-    typename Space::Tangent {
+auto ShearFlow<Dim>::tangent(const rheology::Viscosity& v, const Vector& g,
+                             const Vector* carried) const -> typename Space::Tangent {
   const typename Space::Tangent isotropic = v.eta * Space::Tangent::Identity();
   const double shear_rate = g.norm();
   // Without a viscosity (p_regu = 0) there is no slope either, and nothing to divide τ by.
@@ -48,14 +48,13 @@ auto ShearFlow<Dim>::tangent(const rheology::Viscosity& v, const Vector& g, std:
                         : tangent_term_ == TangentTerm::wrong_sign ? -slope_factor_
                                                                    : slope_factor_;
   const double slope = factor * v.d_eta_d_shear_rate / shear_rate;
-  if (tangent_term_ != TangentTerm::primal_dual || carried_stress_.empty())
-    return isotropic + slope * (g * g.transpose());
+  if (!carried) return isotropic + slope * (g * g.transpose());
   // τ is cut to where the tangent stays positive definite, |τ| < σ/(1 - x), σ = η|g|,
   // x = d ln σ/d ln|g|: at σ(1 + x/2).
-  const double stress = v.eta * shear_rate, size = carried_stress_[k].norm();
+  const double stress = v.eta * shear_rate, size = carried->norm();
   const double x = 1 + v.d_eta_d_shear_rate * shear_rate / v.eta, limit = stress * (1 + 0.5 * x);
-  const Vector carried = carried_stress_[k] * ((size > limit ? limit / size : 1) / v.eta);
-  return isotropic + 0.5 * slope * (g * carried.transpose() + carried * g.transpose());
+  const Vector strain = *carried * ((size > limit ? limit / size : 1) / v.eta);
+  return isotropic + 0.5 * slope * (g * strain.transpose() + strain * g.transpose());
 }
 
 template <int Dim>
@@ -67,14 +66,15 @@ rheology::Viscosity ShearFlow<Dim>::viscosity(const Regularisation& regularisati
 }
 
 template <int Dim>
-void ShearFlow<Dim>::carry_stress_of(std::span<const Vector> gradients) {
-  carried_stress_.clear();
+auto ShearFlow<Dim>::stress_of(const Stress& gradients) const -> Stress {
+  Stress stress;
   std::visit(
       [&](const auto& kind) {
         for (const Vector& g : gradients)
-          carried_stress_.push_back(viscosity(kind, g.norm(), carried_stress_.size()).eta * g);
+          stress.push_back(viscosity(kind, g.norm(), stress.size()).eta * g);
       },
       rheology_.regularisation);
+  return stress;
 }
 
 template <int Dim>
@@ -88,6 +88,7 @@ void ShearFlow<Dim>::evaluate_with(const Regularisation& regularisation, const S
   residual_.magnitude = load_.cwiseAbs();
   residual_.round_off = epsilon * residual_.magnitude;
   residual_.rest_size = rheology_.lambda_r;  // over a unit length
+  const bool carries = tangent_term_ == TangentTerm::primal_dual && !w.stress.empty();
   for (std::size_t e = 0; e < space_.element_count(); ++e) {
     const auto& nodes = space_.mesh().elements[e];
     const typename Space::LocalVelocities local = space_.local_velocities(w, e);
@@ -101,7 +102,7 @@ void ShearFlow<Dim>::evaluate_with(const Regularisation& regularisation, const S
       const Vector g = point.gradient(local);
       const rheology::Viscosity v = viscosity(regularisation, g.norm(), k);
       const Vector& stress = stress_[k] = v.eta * g;
-      tangents_[k] = tangent(v, g, k);
+      tangents_[k] = tangent(v, g, carries ? &w.stress[k] : nullptr);
       const Vector stress_size = stress.cwiseAbs();
       const Vector stress_round_off =
           operations * epsilon * stress_size +
@@ -125,10 +126,11 @@ template <int Dim>
 bool ShearFlow<Dim>::linear_solve(const Eigen::VectorXd& right_hand_side, State& x) {
   space_.assemble(tangents_);
   if (!space_.solve(right_hand_side, x)) return false;
+  x.stress.clear();
   if (tangent_term_ == TangentTerm::primal_dual) {
-    space_.gradients(x, carried_stress_);
+    space_.gradients(x, x.stress);
     for (std::size_t k = 0; k < stress_.size(); ++k)
-      carried_stress_[k] = stress_[k] + tangents_[k] * carried_stress_[k];
+      x.stress[k] = stress_[k] + tangents_[k] * x.stress[k];
   }
   return true;
 }

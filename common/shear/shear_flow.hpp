@@ -6,11 +6,11 @@
 #pragma once
 
 #include <functional>
-#include <span>
 #include <vector>
 
 #include "common/rheology/rheology.hpp"
 #include "common/shear/cross_section.hpp"
+#include "common/solve/carried_stress.hpp"
 #include "common/solve/newton.hpp"
 
 namespace talus::shear {
@@ -18,10 +18,8 @@ namespace talus::shear {
 /// The term η'(|γ|) of the tangent: in its primal-dual form, as it is, dropped (frozen viscosity:
 /// Picard), or with the wrong sign. The last two exist to be looked at.
 ///
-/// Primal-dual (Chan, Golub & Mulet 1999): Newton on τ/η(|g|) = g for the velocity and a carried
-/// stress τ together, instead of on τ = η(|g|) g. The first is nearly linear in g where the second
-/// saturates. τ is what the last step predicted, so in equilibrium with the load; eliminated, it
-/// leaves the usual residual and the tangent η 1 + η'/|g| sym(g ⊗ τ/η).
+/// Primal-dual: the stress τ that the state carries (solve::WithStress), eliminated, leaves the
+/// usual residual and the tangent η 1 + η'/|g| sym(g ⊗ τ/η); without one yet, the full tangent.
 enum class TangentTerm { primal_dual, full, frozen, wrong_sign };
 
 template <int Dim>
@@ -29,7 +27,8 @@ class ShearFlow {
  public:
   using Space = CrossSection<Dim>;
   using Vector = typename Space::Vector;
-  using State = solve::CompensatedVector;
+  using Stress = std::vector<Vector>;  ///< at the quadrature points
+  using State = solve::WithStress<Stress>;
 
   /// `space` must outlive the problem; body force in units of φρg.
   ShearFlow(Space& space, rheology::Rheology rheology,
@@ -41,20 +40,21 @@ class ShearFlow {
   void set_tangent_term(TangentTerm term) { tangent_term_ = term; }
   /// Multiplies η' in the tangent: 1 is right; the others exist to show that checks find them.
   void set_slope_factor(double factor) { slope_factor_ = factor; }
-  /// Lets the primal-dual tangent carry the stress of these gradients at the quadrature points.
-  void carry_stress_of(std::span<const Vector> gradients);
+  /// The stress of these gradients at the quadrature points.
+  Stress stress_of(const Stress& gradients) const;
   const Eigen::VectorXd& load() const { return load_; }
 
   /// Residual, its magnitude and its computed round-off at every node; keeps the point tangents.
   const solve::Residual& evaluate(const State& w);
-  /// Solves K x = right_hand_side, K the tangent at the state last evaluated.
+  /// Solves K x = right_hand_side, K the tangent at the state last evaluated. The direction carries
+  /// a stress if the tangent is primal-dual.
   bool linear_solve(const Eigen::VectorXd& right_hand_side, State& x);
   /// Certificate that the discrete problem has no solution: shear::recession(w) < 0.
   bool exceeds_capacity(const State& w) const;
   /// K x, uncondensed: what the Jacobian check compares with differences of the residual.
-  Eigen::VectorXd tangent_product(const State& x) const { return space_.product(tangents_, x); }
+  Eigen::VectorXd tangent_product(const solve::CompensatedVector& x) const { return space_.product(tangents_, x); }
   /// η grad w at every quadrature point, at the state last evaluated.
-  const std::vector<Vector>& stress() const { return stress_; }
+  const Stress& stress() const { return stress_; }
 
  private:
   template <class Regularisation>
@@ -63,7 +63,7 @@ class ShearFlow {
   rheology::Viscosity viscosity(const Regularisation& regularisation, double shear_rate,
                                 std::size_t point) const;
   typename Space::Tangent tangent(const rheology::Viscosity& v, const Vector& g,
-                                  std::size_t point) const;
+                                  const Vector* carried) const;
 
   Space& space_;
   rheology::Rheology rheology_, wall_;
@@ -73,8 +73,7 @@ class ShearFlow {
   std::vector<rheology::RegularisedPressure> regularised_pressure_;
   Eigen::VectorXd load_;
   std::vector<typename Space::Tangent> tangents_;
-  std::vector<Vector> stress_;
-  std::vector<Vector> carried_stress_;  // τ; none before the first step
+  Stress stress_;
   solve::Residual residual_;
 };
 

@@ -18,7 +18,7 @@
 using namespace talus;
 using namespace talus::shear;
 using boost::test_tools::tolerance;
-using solve::CompensatedVector;
+using State = ShearFlow<1>::State;
 
 namespace {
 
@@ -53,7 +53,7 @@ double residual_of_solve(Space& space, const Tangents& tangents, int refinements
                          std::mt19937& random) {
   const Eigen::VectorXd b = random_forces(space, random);
   space.assemble(tangents);
-  CompensatedVector x(space.node_count()), correction;
+  State x(space.node_count()), correction;
   Eigen::VectorXd rest = b;
   for (int i = 0; i <= refinements; ++i) {
     BOOST_REQUIRE(space.solve(rest, correction));
@@ -65,7 +65,7 @@ double residual_of_solve(Space& space, const Tangents& tangents, int refinements
 
 // ∫ D(|grad w|) - f w with D = ∫ η s ds by quadrature: the energy Newton minimises.
 double energy(const Layer& layer, const rheology::Rheology& rheology, const Eigen::VectorXd& load,
-              const CompensatedVector& w) {
+              const State& w) {
   static const auto rule = fem::gauss_legendre(40);
   std::vector<Space::Vector> g;
   layer.space.gradients(w, g);
@@ -81,8 +81,8 @@ double energy(const Layer& layer, const rheology::Rheology& rheology, const Eige
   return sum;
 }
 
-CompensatedVector solved(ShearFlow<1>& problem, const Space& space) {
-  CompensatedVector w(space.node_count());
+State solved(ShearFlow<1>& problem, const Space& space) {
+  State w(space.node_count());
   BOOST_REQUIRE(solve::is_success(solve::newton(problem, w).end));
   return w;
 }
@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(parabolas_are_exact_on_an_uneven_mesh) {
   for (const auto& [at_start, at_end, exact] : cases) {
     Space space = uneven_space(at_start, at_end);
     space.assemble(constant_tangents(space, k));
-    CompensatedVector w;
+    State w;
     BOOST_REQUIRE(space.solve(space.load([](const auto&) { return f; }), w));
     for (Eigen::Index i = 0; i < w.size(); ++i)
       BOOST_TEST(std::abs(w.value()[i] - exact(position(space, i))) < 1e-14 * f / k * L * L);
@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(a_traction_at_the_free_end_gives_a_straight_line) {
   space.assemble(constant_tangents(space, k));
   Eigen::VectorXd force = Eigen::VectorXd::Zero(space.node_count());
   force[force.size() - 1] = traction;
-  CompensatedVector w;
+  State w;
   BOOST_REQUIRE(space.solve(force, w));
   std::vector<Space::Vector> g;
   space.gradients(w, g);
@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(a_traction_at_the_free_end_gives_a_straight_line) {
 BOOST_AUTO_TEST_CASE(a_body_that_is_nowhere_fixed_cannot_be_solved) {
   Space space = uneven_space(false, false);
   space.assemble(constant_tangents(space, 1));
-  CompensatedVector w;
+  State w;
   BOOST_TEST(!space.solve(space.load([](const auto&) { return 1.; }), w));
 }
 
@@ -184,8 +184,8 @@ BOOST_AUTO_TEST_CASE(the_residual_is_the_gradient_of_the_energy) {
     Layer layer = plane_layer(0.406, 4);
     ShearFlow<1> problem = layer.regularised(regularisation, 0.1);
     std::mt19937 random(4);
-    const CompensatedVector w(random_forces(layer.space, random));
-    const CompensatedVector v(random_forces(layer.space, random));
+    const State w(random_forces(layer.space, random));
+    const State v(random_forces(layer.space, random));
     const double slope = problem.evaluate(w).value.dot(v.value());
     const double expected = testing::difference(
         [&](double t) { return energy(layer, problem.rheology(), problem.load(), w.moved(t, v)); },
@@ -198,10 +198,10 @@ BOOST_AUTO_TEST_CASE(the_tangent_is_the_derivative_of_the_residual_for_every_law
   for (const auto& regularisation : rheology::regularisations())
     for (Layer& layer : std::vector{chute_layer(28, 5), plane_layer(0.406, 5)}) {
       ShearFlow<1> problem = layer.regularised(regularisation, 1e-3);
-      const CompensatedVector rest(layer.space.node_count());
-      const CompensatedVector flow = solved(problem, layer.space);
+      const State rest(layer.space.node_count());
+      const State flow = solved(problem, layer.space);
       const double scale = flow.value().lpNorm<Eigen::Infinity>();
-      for (const CompensatedVector& state : {rest, rest.moved(0.5, flow), flow})
+      for (const State& state : {rest, rest.moved(0.5, flow), flow})
         BOOST_TEST(
             solve::check_jacobian(jacobian_problem(problem, layer.space, state), scale).passed(),
             rheology::name_of(regularisation));
@@ -212,7 +212,7 @@ BOOST_AUTO_TEST_CASE(the_tangent_is_the_derivative_of_the_residual_for_every_law
 BOOST_AUTO_TEST_CASE(the_primal_dual_form_finds_the_flow_that_newton_s_own_tangent_finds) {
   for (const auto& regularisation : rheology::regularisations())
     for (Layer& layer : std::vector{chute_layer(28, 20), plane_layer(0.406, 20)}) {
-      std::vector<CompensatedVector> flows;
+      std::vector<State> flows;
       std::vector<int> iterations;
       for (const TangentTerm term : {TangentTerm::full, TangentTerm::primal_dual}) {
         ShearFlow<1> problem = layer.regularised(regularisation, 1e-6);
@@ -233,7 +233,7 @@ BOOST_AUTO_TEST_CASE(a_tangent_without_the_derivative_of_the_viscosity_is_caught
     for (const TangentTerm term : {TangentTerm::frozen, TangentTerm::wrong_sign}) {
       Layer layer = chute_layer(28, 5);
       ShearFlow<1> problem = layer.regularised(regularisation, 1e-3);
-      const CompensatedVector flow = solved(problem, layer.space);
+      const State flow = solved(problem, layer.space);
       problem.set_tangent_term(term);
       const solve::JacobianCheck check =
           solve::check_jacobian(jacobian_problem(problem, layer.space, flow), 1);
@@ -247,7 +247,7 @@ BOOST_AUTO_TEST_CASE(a_tangent_without_the_derivative_of_the_viscosity_is_caught
 BOOST_AUTO_TEST_CASE(the_round_off_of_a_plain_iterate_is_predicted_within_a_factor_100) {
   for (Layer& layer : std::vector{chute_layer(28, 40), plane_layer(0.406, 40)}) {
     ShearFlow<1> problem = layer.regularised(rheology::ChauchatMedale{}, 1e-10);
-    CompensatedVector plain(layer.space.node_count(), solve::Precision::plain);
+    State plain(layer.space.node_count(), solve::Precision::plain);
     const solve::NewtonSummary summary = solve::newton(problem, plain, {.tolerance = 0});
     BOOST_CHECK(summary.end == solve::End::at_round_off_floor);
     BOOST_TEST(summary.final_residual() < summary.round_off_floor());
@@ -258,9 +258,9 @@ BOOST_AUTO_TEST_CASE(the_round_off_of_a_plain_iterate_is_predicted_within_a_fact
 BOOST_AUTO_TEST_CASE(a_compensated_iterate_reaches_what_a_plain_one_cannot) {
   Layer layer = chute_layer(28, 40);
   ShearFlow<1> problem = layer.regularised(rheology::ChauchatMedale{}, 1e-10);
-  CompensatedVector plain(layer.space.node_count(), solve::Precision::plain);
+  State plain(layer.space.node_count(), solve::Precision::plain);
   BOOST_TEST(solve::newton(problem, plain).final_residual() > 1e-12);
-  CompensatedVector kept(layer.space.node_count());
+  State kept(layer.space.node_count());
   const solve::NewtonSummary summary = solve::newton(problem, kept);
   BOOST_CHECK(summary.end == solve::End::converged);
   BOOST_TEST(summary.final_residual() <= 1e-12);
@@ -282,10 +282,10 @@ BOOST_AUTO_TEST_CASE(the_stress_is_that_of_the_rheology_with_every_pressure_it_c
         ShearFlow<1> problem(layer.space, rheology, pressure, layer.body_force);
         problem.set_lambda_r(rheology.lambda_r = 1e-3);
         problem.set_tangent_term(TangentTerm::primal_dual);
-        const CompensatedVector w(random_forces(layer.space, random));
+        State w(random_forces(layer.space, random));
         std::vector<Space::Vector> g;
         layer.space.gradients(w, g);
-        problem.carry_stress_of(std::vector<Space::Vector>(g.size(), Space::Vector(0.3)));
+        w.stress = problem.stress_of(std::vector<Space::Vector>(g.size(), Space::Vector(0.3)));
         problem.evaluate(w);
         BOOST_TEST(problem.tangent_product(w).allFinite());
         for (std::size_t k = 0; k < g.size(); ++k) {

@@ -44,14 +44,14 @@ Eigen::VectorXd nodal_scale(const CrossSection<Dim>& space, const std::vector<do
 // How far a random system is from solved, without refinement, relative to its right-hand side.
 template <int Dim>
 double solve_error(ShearFlow<Dim> problem, const CrossSection<Dim>& space,
-                   const solve::CompensatedVector& state) {
+                   const typename ShearFlow<Dim>::State& state) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(-1, 1);
   Eigen::VectorXd b(space.node_count());
   for (double& each : b) each = uniform(random);
   space.clear_fixed(b);
   problem.evaluate(state);
-  solve::CompensatedVector x;
+  typename ShearFlow<Dim>::State x;
   if (!problem.linear_solve(b, x) || !space.solve_once(b, x))  // the first assembles and factors
     return std::numeric_limits<double>::infinity();
   return (b - problem.tangent_product(x)).template lpNorm<Eigen::Infinity>() /
@@ -108,11 +108,11 @@ Eigen::VectorXd pack(const ConeResidual<Dim>& r) {
 
 template <int Dim>
 solve::JacobianProblem jacobian_problem(ShearFlow<Dim>& problem, const CrossSection<Dim>& space,
-                                        const solve::CompensatedVector& state) {
+                                        const typename ShearFlow<Dim>::State& state) {
   const auto blocks = node_blocks(space);
   const auto admissible = [&space](Eigen::VectorXd v) {
     space.clear_fixed(v);
-    return solve::CompensatedVector(v);
+    return typename ShearFlow<Dim>::State(v);
   };
   const auto linearised = std::make_shared<ShearFlow<Dim>>(problem);
   linearised->evaluate(state);
@@ -195,12 +195,12 @@ double elimination_error(InteriorPoint<Dim>& problem, const ConeState<Dim>& stat
 }
 
 template solve::JacobianProblem jacobian_problem(ShearFlow<1>&, const CrossSection<1>&,
-                                                 const solve::CompensatedVector&);
+                                                 const ShearFlow<1>::State&);
 template solve::JacobianProblem jacobian_problem(const InteriorPoint<1>&, const CrossSection<1>&,
                                                  const ConeState<1>&);
 template double elimination_error(InteriorPoint<1>&, const ConeState<1>&);
 template solve::JacobianProblem jacobian_problem(ShearFlow<2>&, const CrossSection<2>&,
-                                                 const solve::CompensatedVector&);
+                                                 const ShearFlow<2>::State&);
 template solve::JacobianProblem jacobian_problem(const InteriorPoint<2>&, const CrossSection<2>&,
                                                  const ConeState<2>&);
 template double elimination_error(InteriorPoint<2>&, const ConeState<2>&);

@@ -12,7 +12,7 @@ namespace talus::shear {
 /// `problem` and `space` must outlive the result.
 template <int Dim>
 solve::JacobianProblem jacobian_problem(ShearFlow<Dim>& problem, const CrossSection<Dim>& space,
-                                        const solve::CompensatedVector& state);
+                                        const typename ShearFlow<Dim>::State& state);
 
 /// The optimality system of the interior point about `state`, unknowns (velocity, t, z, τ) against
 /// rows (equilibrium, law, product, alignment).

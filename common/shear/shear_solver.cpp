@@ -15,27 +15,25 @@ void solve_by_newton(CrossSection<Dim>& space, const ShearLoad<Dim>& load,
                      const ShearOptions& options, const ShearStart<Dim>* start,
                      ShearSolution& solution) {
   ShearFlow<Dim> problem = regularised_problem(space, load, options);
-  solution.velocity =
-      start ? start->velocity : solve::CompensatedVector(space.node_count(), options.precision);
-  if (start) problem.carry_stress_of(start->gradients);
+  typename ShearFlow<Dim>::State state(
+      start ? start->velocity : solve::CompensatedVector(space.node_count(), options.precision));
+  if (start) state.stress = problem.stress_of(start->gradients);
   if (options.continuation == Continuation::always && !start)
-    solution.newton =
-        solve::newton_along_path(problem, solution.velocity, options.newton, options.path);
+    solution.newton = solve::newton_along_path(problem, state, options.newton, options.path);
   else if (options.continuation != Continuation::never)
-    solution.newton =
-        solve::newton_with_continuation(problem, solution.velocity, options.newton, options.path);
+    solution.newton = solve::newton_with_continuation(problem, state, options.newton, options.path);
   else
-    solution.newton.newton =
-        solve::newton(problem, solution.velocity, options.newton, options.observe);
+    solution.newton.newton = solve::newton(problem, state, options.newton, options.observe);
   solution.newton.lambda_r = problem.rheology().lambda_r;
   solution.end = solution.newton.newton.end;
   std::vector<typename CrossSection<Dim>::Vector> gradients;
-  space.gradients(solution.velocity, gradients);
-  problem.evaluate(solution.velocity);
+  space.gradients(state, gradients);
+  problem.evaluate(state);
   for (std::size_t k = 0; k < gradients.size(); ++k) {
     solution.shear_rate.push_back(gradients[k].norm());
     solution.stress.push_back(problem.stress()[k].norm());
   }
+  solution.velocity = std::move(state);
 }
 
 template <int Dim>
@@ -80,12 +78,11 @@ std::vector<solve::NamedCheck> check_newton(CrossSection<Dim>& space, const Shea
   const double pressure = largest_pressure(space, load), lambda_r = options.lambda_r;
   std::vector<solve::NamedCheck> checks{check_law(problem.rheology(), pressure)};
   const auto check = [&](const char* name, double rate) {
-    const solve::CompensatedVector state = sheared(space, rate);
+    typename ShearFlow<Dim>::State state(sheared(space, rate));
     if (options.tangent_term == TangentTerm::primal_dual) {
       // With the stress of the state itself it is the derivative.
-      std::vector<typename CrossSection<Dim>::Vector> gradients;
-      space.gradients(state, gradients);
-      problem.carry_stress_of(gradients);
+      space.gradients(state, state.stress);
+      state.stress = problem.stress_of(state.stress);
     }
     checks.push_back({name, solve::check_jacobian(jacobian_problem(problem, space, state))});
   };

@@ -81,9 +81,9 @@ std::optional<PathAdvance<typename P::State>> arclength_step(
     const Residual& residual = problem.evaluate(at.state);
     at.residual = residual.relative_norm();
     if (!residual.is_finite()) return std::nullopt;
-    if (at.residual <= options.tolerance || residual.is_round_off()) break;
+    if (at.residual <= options.corrector.tolerance || residual.is_round_off()) break;
     const bool diverges = at.corrections > options.few_corrections && at.residual > 2 * last;
-    if (diverges || at.corrections >= options.max_corrections) return std::nullopt;
+    if (diverges || at.corrections >= options.corrector.max_iterations) return std::nullopt;
     last = at.residual;
 
     ++factorisations;

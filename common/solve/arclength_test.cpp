@@ -65,10 +65,12 @@ BOOST_AUTO_TEST_CASE(the_fold_of_bratu_s_problem_is_found_to_nine_digits) {
   std::vector<double> errors;
   for (const double step : {0.05, 0.025, 0.0125}) {
     SmallProblem problem = bratu();
+    PathOptions options{.max_points = 1000, .largest_step = step};
+    options.corrector.tolerance = 1e-13;
     const auto path = follow_arclength<SmallProblem>(
         problem,
         {.state = CompensatedVector(VectorXd(constant(19, 0))), .parameter = 3, .step = step},
-        {.max_points = 1000, .largest_step = step, .tolerance = 1e-13},
+        options,
         [](const auto& at, PathPoint&) { return at.state.value()[9] < 3; });
     BOOST_CHECK(path.end == PathEnd::stopped);
     const std::vector<double> folds = fold_parameters(path.points);

@@ -1,19 +1,19 @@
 // Continuation in the regularisation parameter: a way down from a smooth law, or the fallback when
-// Newton fails from where it starts.
+// Newton fails from where it starts. Natural continuation, constant predictor, in log10 λr.
 #pragma once
 
 #include <vector>
 
-#include "common/solve/newton.hpp"
+#include "common/solve/natural_continuation.hpp"
 
 namespace talus::solve {
 
 struct ContinuationOptions {
   double first = 1e-2;              ///< largest λr, solved first
-  double factor = 0.1;              ///< of one step in λr; its logarithm is halved on a failure
   double tolerance_on_the_way = 0;  ///< of the solves above the target; 0: the same as there
-  double smallest_log_step = 1e-3;  ///< |Δ ln λr| below which the path is given up
-  int max_solves = 100;
+  double step = 1;                  ///< in log10 λr; halved on a failure
+  double smallest_step = 4e-4;      ///< below which the path is given up
+  int max_solutions = 100;
 };
 
 /// One solve on the way.
@@ -36,46 +36,63 @@ struct ContinuationSummary {
   }
 };
 
-/// Solves at the problem's own λr by way of λr = `first` downwards in adaptive steps. On a failure
-/// `state` is the last solution on the way, or where the first solve left it, and the problem stays
-/// at the λr of that state.
+/// A problem under a law, by log10 λr; at the λr it came with, to the last digit.
+template <NewtonProblem P>
+class InLambdaR {
+ public:
+  using State = typename P::State;
+  explicit InLambdaR(P& problem) : problem_(problem), target_(problem.rheology().lambda_r) {}
+
+  double target() const { return std::log10(target_); }
+  double lambda_r_at(double parameter) const {
+    return parameter == target() ? target_ : std::pow(10, parameter);
+  }
+  double parameter() const { return std::log10(problem_.rheology().lambda_r); }
+  void set_parameter(double parameter) { problem_.set_lambda_r(lambda_r_at(parameter)); }
+  const Residual& evaluate(const State& state) { return problem_.evaluate(state); }
+  bool linear_solve(const Eigen::VectorXd& b, State& x) { return problem_.linear_solve(b, x); }
+  bool exceeds_capacity(const State& state) const
+    requires requires(P& problem) { problem.exceeds_capacity(state); }
+  {
+    return problem_.exceeds_capacity(state);
+  }
+
+ private:
+  P& problem_;
+  double target_;
+};
+
+/// Solves at the problem's own λr by way of λr = `first` downwards in adaptive steps. On a failure `state` is the last solution on the way, or where the first solve left
+/// it, and the problem stays at the λr of that state.
 template <NewtonProblem P>
 ContinuationSummary newton_along_path(P& problem, typename P::State& state,
                                       const NewtonOptions& newton_options = {},
                                       const ContinuationOptions& options = {}) {
-  const double target = problem.rheology().lambda_r;
-  NewtonOptions on_the_way = newton_options;
-  if (options.tolerance_on_the_way > 0) on_the_way.tolerance = options.tolerance_on_the_way;
-  on_the_way.distance = std::numeric_limits<double>::infinity();
+  InLambdaR<P> path_problem(problem);
+  PathOptions path_options;
+  path_options.target = path_problem.target();
+  path_options.max_points = options.max_solutions;
+  path_options.smallest_step = options.smallest_step;
+  path_options.largest_step = options.step;
+  path_options.growth = 1;
+  path_options.corrector = newton_options;
+  path_options.on_the_way = options.tolerance_on_the_way;
+  const double first = std::max(std::log10(options.first), path_problem.target());
+  auto path = follow_natural(path_problem,
+                             {.state = state, .parameter = first, .direction = -1,
+                              .step = options.step},
+                             Predictor::constant, path_options);
   ContinuationSummary summary;
-  typename P::State accepted = state;
-  double lambda_r = std::max(options.first, target), accepted_lambda_r = 0;  // 0: nothing yet
-  End last_end = End::stagnated;
-  double log_step = -std::log(options.factor);
-  for (int solves = 0; solves < options.max_solves; ++solves) {
-    problem.set_lambda_r(lambda_r);
-    NewtonSummary here = newton(problem, state, lambda_r == target ? newton_options : on_the_way);
-    last_end = here.end;
-    summary.path.push_back({lambda_r, here.end, here.iterations()});
-    if (is_success(here.end) || accepted_lambda_r == 0) {
-      summary.newton = std::move(here);
-      summary.lambda_r = lambda_r;
-    }
-    if (is_success(last_end)) {
-      accepted = state;
-      accepted_lambda_r = lambda_r;
-      if (lambda_r == target) return summary;
-    } else {
-      if (accepted_lambda_r == 0) break;
-      state = accepted;
-      log_step *= 0.5;
-      if (log_step < options.smallest_log_step) break;
-    }
-    lambda_r = accepted_lambda_r * std::exp(-log_step);
-    if (lambda_r < 1.001 * target) lambda_r = target;
+  for (const PathAttempt& attempt : path.attempts)
+    summary.path.push_back(
+        {path_problem.lambda_r_at(attempt.parameter), attempt.end, attempt.iterations});
+  state = std::move(path.next.state);
+  summary.newton = std::move(path.newton);
+  summary.lambda_r = problem.rheology().lambda_r;
+  if (path.end != PathEnd::target_reached) {
+    const End last = path.attempts.back().end;
+    summary.newton.end = is_success(last) ? End::stagnated : last;  // or out of points
   }
-  problem.set_lambda_r(summary.lambda_r);
-  summary.newton.end = is_success(last_end) ? End::stagnated : last_end;  // or out of solves
   return summary;
 }
 

@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(a_path_that_breaks_ends_honestly_at_the_last_state_it_reach
   RegularisedFriction problem(target);
   CompensatedVector state = start();
   const ContinuationSummary summary =
-      newton_with_continuation(problem, state, full_steps, {.first = 10, .smallest_log_step = 2});
+      newton_with_continuation(problem, state, full_steps, {.first = 10, .smallest_step = 0.6});
   BOOST_TEST(!is_success(summary.newton.end));
   BOOST_TEST(!is_success(summary.path.back().end));
   // State, residual and λr are of one problem: that of the last solution.
@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(running_out_of_solves_is_no_success) {
   RegularisedFriction problem(target);
   CompensatedVector state = start();
   const ContinuationSummary summary =
-      newton_with_continuation(problem, state, full_steps, {.first = 10, .max_solves = 1});
+      newton_with_continuation(problem, state, full_steps, {.first = 10, .max_solutions = 1});
   BOOST_TEST(is_success(summary.path.back().end));  // at λr = 10, not at the target
   BOOST_CHECK(summary.newton.end == End::stagnated);
   BOOST_TEST(summary.lambda_r == 10);

@@ -11,11 +11,12 @@ namespace talus::solve {
 /// factorisation more.
 enum class Predictor { constant, secant, tangent };
 
-/// Follows the path from `start` in its direction, Δs = S Δσ. A step is refused if Newton fails or
-/// moves the state by more than `largest_step`: a jump to another branch. The problem is left at
-/// the last accepted point, `Path::next`. A determinant's sign is that of Newton's last
-/// factorisation, or of the predictor's; before there is any, the reference sign of the start.
-template <PathProblem P>
+/// Follows the path from `start` in its direction, Δs = S Δσ. A step is refused if Newton fails or,
+/// where states have a size, moves the state by more than `largest_step`: a jump to another branch.
+/// The problem is left at the last accepted point, `Path::next`. A determinant's sign is that of
+/// Newton's last factorisation, or of the predictor's; before there is any, the reference sign of
+/// the start. A tangent is only to be had of a PathProblem.
+template <ParameterProblem P>
 Path<typename P::State> follow_natural(P& problem, PathStart<typename P::State> start,
                                        Predictor predictor, const PathOptions& options = {},
                                        const PathObserver<typename P::State>& observe = {}) {
@@ -28,26 +29,38 @@ Path<typename P::State> follow_natural(P& problem, PathStart<typename P::State> 
   std::optional<State> derivative = secant;
   const auto predict = [&] {
     if (predictor == Predictor::constant) derivative.reset();
-    if (predictor != Predictor::tangent) return true;
-    ++path.pending.factorisations;
-    return problem.linear_solve(-problem.parameter_derivative(), derivative.emplace());
+    if constexpr (PathProblem<P>) {
+      if (predictor != Predictor::tangent) return true;
+      ++path.pending.factorisations;
+      return problem.linear_solve(-problem.parameter_derivative(), derivative.emplace());
+    }
+    return true;
   };
-  const auto accepted = [&](double travelled, const NewtonSummary& newton) {
-    if (newton.iterations() > 0 || predictor == Predictor::tangent)
-      known_sign = problem.determinant_sign();  // else it is of a matrix before this path
+  const auto jumps = [&](const State& moved) {
+    if constexpr (PathProblem<P>)
+      return !(weighted_size(problem.weights(state).cwiseAbs2(), moved.value()) <=
+               options.largest_step);
+    return false;
+  };
+  const auto accepted = [&](double travelled, NewtonSummary newton) {
+    if constexpr (PathProblem<P>)
+      if (newton.iterations() > 0 || predictor == Predictor::tangent)
+        known_sign = problem.determinant_sign();  // else it is of a matrix before this path
+    path.newton = std::move(newton);
     return accept<State>(path,
                          {.parameter = parameter,
                           .parameter_slope = direction * options.parameter_scale,
                           .step = travelled,
-                          .corrections = newton.iterations(),
+                          .corrections = path.newton.iterations(),
                           .determinant_sign = known_sign,
-                          .residual = newton.final_residual()},
+                          .residual = path.newton.final_residual()},
                          options, observe);
   };
 
-  const NewtonSummary at_start = solve_at(problem, parameter, state, options, path);
-  if (!is_success(at_start.end) || !predict()) return path;
-  std::optional<PathEnd> end = accepted(0, at_start);
+  path.newton = solve_at(problem, parameter, state, options, path);
+  if (!is_success(path.newton.end) || !predict()) return path;
+  std::optional<PathEnd> end = accepted(0, path.newton);
+  if (options.target == parameter) end = PathEnd::target_reached;
 
   while (!end) {
     double ds = direction * options.parameter_scale * step;
@@ -56,11 +69,9 @@ Path<typename P::State> follow_natural(P& problem, PathStart<typename P::State> 
     if (lands) ds = *options.target - parameter;
     State trial = derivative ? state.moved(ds, *derivative) : state;
     const double next = lands ? *options.target : parameter + ds;
-    const NewtonSummary newton = solve_at(problem, next, trial, options, path);
+    NewtonSummary newton = solve_at(problem, next, trial, options, path);
     const State moved = trial.moved(-1, state);
-    const Eigen::VectorXd weights = problem.weights(state);
-    if (!is_success(newton.end) ||
-        !(weighted_size(weights.cwiseAbs2(), moved.value()) <= options.largest_step)) {
+    if (!is_success(newton.end) || jumps(moved)) {
       ++path.pending.failures;
       step /= 2;
       if (step < options.smallest_step) end = PathEnd::step_too_small;
@@ -73,7 +84,7 @@ Path<typename P::State> follow_natural(P& problem, PathStart<typename P::State> 
     const double travelled = std::abs(ds) / options.parameter_scale;
     step = next_step(step, newton.iterations(), options);
     if (!predict()) end = PathEnd::step_too_small;
-    const std::optional<PathEnd> reached = accepted(travelled, newton);
+    const std::optional<PathEnd> reached = accepted(travelled, std::move(newton));
     if (reached) end = reached;
   }
   path.end = *end;

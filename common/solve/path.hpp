@@ -19,13 +19,18 @@
 
 namespace talus::solve {
 
-/// What following a path asks of a problem besides Newton's needs. `set_parameter` takes effect at
-/// the next `evaluate`; `linear_solve` keeps its factors for further right-hand sides at one state.
+/// A problem in a parameter, which takes effect at the next `evaluate`.
 template <class P>
-concept PathProblem = NewtonProblem<P> &&
-    requires(P problem, const typename P::State& state, double s) {
+concept ParameterProblem = NewtonProblem<P> && requires(P problem, double s) {
   { problem.parameter() } -> std::same_as<double>;
   problem.set_parameter(s);
+};
+
+/// What a tangent of the path asks for as well. `linear_solve` keeps its factors for further
+/// right-hand sides at one state.
+template <class P>
+concept PathProblem =
+    ParameterProblem<P> && requires(P problem, const typename P::State& state) {
   /// dR/ds at the state last evaluated.
   { problem.parameter_derivative() } -> std::convertible_to<Eigen::VectorXd>;
   /// Sign of det J of the tangent last factored.
@@ -44,6 +49,13 @@ enum class PathEnd {
 };
 
 std::string name_of(PathEnd end);
+
+/// One of Newton's solves at a fixed parameter.
+struct PathAttempt {
+  double parameter = 0;
+  End end = End::stagnated;
+  int iterations = 0;
+};
 
 struct PathCost {
   int failures = 0;        ///< steps tried in vain
@@ -83,6 +95,8 @@ struct Path {
   std::vector<PathPoint> points = {};  ///< the start included
   PathStart<State> next = {};          ///< at the last point accepted
   PathCost pending = {};               ///< spent after it, in vain
+  std::vector<PathAttempt> attempts = {};
+  NewtonSummary newton = {};  ///< natural continuation: of the last point, or of a failed start
 
   PathCost total_cost() const {
     PathCost total = pending;
@@ -104,12 +118,14 @@ struct PathOptions {
   int few_corrections = 3, many_corrections = 6;    ///< the step grows up to, shrinks from here
   double growth = 1.5;                              ///< factor for both; a failure halves the step
   double max_deviation = 2;  ///< correction of a predicted state, over the step
-  double tolerance = 1e-10;  ///< of every point, on Residual::relative_norm()
+  /// Of every point, full steps: a path needs none shorter, it shortens its own. The distance to
+  /// the solution counts at the target only.
+  NewtonOptions corrector = {.tolerance = 1e-10,
+                             .distance = std::numeric_limits<double>::infinity(),
+                             .max_iterations = 10,
+                             .stall_iterations = std::numeric_limits<int>::max(),
+                             .line_search = LineSearch::none};
   double on_the_way = 0;  ///< natural continuation to a target: tolerance of the points before it
-  double hopeless = std::numeric_limits<double>::infinity();  ///< NewtonOptions::hopeless
-  /// Corrections without a smaller residual after which a step is in vain.
-  int stalled_corrections = std::numeric_limits<int>::max();
-  int max_corrections = 10;  ///< full Newton steps: a path needs none shorter, it shortens its own
 };
 
 /// Sees every accepted point, with the problem evaluated there, as where the path goes on from, and
@@ -151,21 +167,18 @@ std::optional<PathEnd> accept(Path<State>& path, PathPoint point, const PathOpti
 }
 
 /// Solves R(x, s) = 0 in place at a fixed parameter. The factorisations are added to the path's.
-template <PathProblem P>
+template <ParameterProblem P>
 NewtonSummary solve_at(P& problem, double parameter, typename P::State& state,
                        const PathOptions& options, Path<typename P::State>& path) {
   problem.set_parameter(parameter);
-  const bool is_on_the_way = options.target && parameter != *options.target;
-  NewtonSummary summary =
-      newton(problem, state,
-             {.tolerance = is_on_the_way ? std::max(options.tolerance, options.on_the_way)
-                                         : options.tolerance,
-              .distance = std::numeric_limits<double>::infinity(),
-              .max_iterations = options.max_corrections,
-              .stall_iterations = options.stalled_corrections,
-              .hopeless = options.hopeless,
-              .line_search = LineSearch::none});
+  NewtonOptions corrector = options.corrector;
+  if (options.target && parameter != *options.target) {
+    corrector.tolerance = std::max(corrector.tolerance, options.on_the_way);
+    corrector.distance = std::numeric_limits<double>::infinity();
+  }
+  NewtonSummary summary = newton(problem, state, corrector);
   path.pending.factorisations += summary.iterations();
+  path.attempts.push_back({parameter, summary.end, summary.iterations()});
   return summary;
 }
 

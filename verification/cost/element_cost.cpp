@@ -104,7 +104,7 @@ Costs costs_on(const fem::Mesh<Dim>& mesh, mixed::BoundaryConditions<Dim> condit
                              {[](const fem::Point<Dim>&) { return 1.0; },
                               [&force](const fem::Point<Dim>&) { return force; }, inertia});
   auto state = space.start();
-  solve::CompensatedVector direction;
+  typename mixed::MixedFlow<Dim>::State direction;
   flow.linear_solve(-flow.evaluate(state).value, direction);
   state = state.moved(1, direction);
   costs.residual = best_of(repetitions, [&] { flow.evaluate(state); }).cpu;

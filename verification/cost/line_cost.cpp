@@ -152,7 +152,7 @@ void kernel_speed(Chapter& chapter) {
           int iterations;
           if (method.options.method == oned::Method::newton) {
             auto problem = shear::regularised_problem(space, load, method.options);
-            solve::CompensatedVector w(space.node_count());
+            shear::ShearFlow<1>::State w(space.node_count());
             const solve::Stopwatch watch;
             iterations = solve::newton(problem, w, method.options.newton).iterations();
             seconds = watch.seconds();

@@ -13,7 +13,7 @@ namespace talus::verification {
 namespace {
 
 using mixed::LinearSolver;
-using State = solve::CompensatedVector;
+using State = mixed::MixedFlow<3>::State;
 
 struct Way {
   std::string name;

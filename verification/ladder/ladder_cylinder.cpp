@@ -35,7 +35,7 @@ ModelCost cost_of(const mixed::MixedFlow<Dim>& flow, const solve::ContinuationSu
 }
 
 // The plane's solution in the layer, pushed off a little, along the axis too.
-solve::CompensatedVector pushed_off(const mixed::MixedSpace<2>& plane,
+mixed::MixedSpace<3>::State pushed_off(const mixed::MixedSpace<2>& plane,
                                     const solve::CompensatedVector& state,
                                     const mixed::MixedSpace<3>& space) {
   constexpr double push = 1e-5;
