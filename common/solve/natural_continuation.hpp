@@ -62,21 +62,26 @@ Path<typename P::State> follow_natural(P& problem, PathStart<typename P::State> 
   std::optional<PathEnd> end = accepted(0, path.newton);
   if (options.target == parameter) end = PathEnd::target_reached;
 
+  std::optional<State> in_vain;  // where the last attempt from here ended
   while (!end) {
     double ds = direction * options.parameter_scale * step;
     const bool lands = options.target && (parameter - *options.target) * direction < 0 &&
                        (parameter + ds - *options.target) * direction >= 0;
     if (lands) ds = *options.target - parameter;
     State trial = derivative ? state.moved(ds, *derivative) : state;
+    if constexpr (requires { trial.learn_from(*in_vain); })
+      if (in_vain) trial.learn_from(*in_vain);
     const double next = lands ? *options.target : parameter + ds;
     NewtonSummary newton = solve_at(problem, next, trial, options, path);
     const State moved = trial.moved(-1, state);
     if (!is_success(newton.end) || jumps(moved)) {
       ++path.pending.failures;
+      in_vain = std::move(trial);
       step /= 2;
       if (step < options.smallest_step) end = PathEnd::step_too_small;
       continue;
     }
+    in_vain.reset();
     secant = moved.moved(1 / ds - 1, moved);
     derivative = secant;
     state = std::move(trial);
