@@ -39,6 +39,7 @@ CylinderPath follow(CylinderFlow& cylinder, Problem problem, solve::PathStart<St
   if (continuation == Continuation::natural) {
     solve::PathOptions near = options;  // a step that arrives shows it soon
     near.corrector.stall_iterations = 5;
+    near.grows_after_failure = false;
     near.smallest_step = 1e-3;  // what stops it there is a fold, which it cannot pass
     return solve::follow_natural(problem, std::move(start), solve::Predictor::secant, near,
                                  observer);

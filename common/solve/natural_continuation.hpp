@@ -87,7 +87,9 @@ Path<typename P::State> follow_natural(P& problem, PathStart<typename P::State> 
     state = std::move(trial);
     parameter = next;
     const double travelled = std::abs(ds) / options.parameter_scale;
-    step = next_step(step, newton.iterations(), options);
+    const double next_one = next_step(step, newton.iterations(), options);
+    const bool was_halved = path.pending.failures > 0;
+    step = was_halved && !options.grows_after_failure ? std::min(step, next_one) : next_one;
     if (!predict()) end = PathEnd::step_too_small;
     const std::optional<PathEnd> reached = accepted(travelled, std::move(newton));
     if (reached) end = reached;

@@ -117,6 +117,7 @@ struct PathOptions {
   double smallest_step = 1e-6, largest_step = 0.5;  ///< Δσ
   int few_corrections = 3, many_corrections = 6;    ///< the step grows up to, shrinks from here
   double growth = 1.5;                              ///< factor for both; a failure halves the step
+  bool grows_after_failure = true;  ///< natural continuation: also a step that was halved
   double max_deviation = 2;  ///< correction of a predicted state, over the step
   /// Of every point, full steps: a path needs none shorter, it shortens its own. The distance to
   /// the solution counts at the target only.
