@@ -114,6 +114,9 @@ for option in "--loading 0.02" "--tolerance 1e-8" "--route loading" "--max-point
 done
 check refuses --contination "did you mean --continuation?" -- "$cylinder" --contination natural
 check refuses "--loading: it is given twice" -- "$cylinder" --loading 0.01 --loading 0.02
+for tangent in primal-dual full; do
+  check succeeds cylinder "$cylinder" --around 16 --tangent $tangent --check-jacobian
+done
 check refuses --outflow "'foo'" open-viscous -- "$cylinder" --outflow foo
 check refuses --route "'foo'" lambda-r -- "$cylinder" --route foo
 check refuses --confining-pressure "'0'" 0.01 -- "$cylinder" --confining-pressure 0

@@ -68,7 +68,9 @@ double inflow(const CylinderFlow& cylinder, const State& state) {
 CylinderFlow::CylinderFlow(const Cylinder& scene)
     : scene_(scene),
       space_(cylinder_mesh(scene.mesh), boundary_conditions(scene)),
-      flow_(space_, rheology_of(scene), load_of(scene), scene.penalty) {}
+      flow_(space_, rheology_of(scene), load_of(scene), scene.penalty) {
+  flow_.set_tangent_factors(mixed::tangent_factors(scene.tangent));
+}
 
 CylinderMeasures measure(CylinderFlow& cylinder, const State& state) {
   const auto& space = cylinder.space();

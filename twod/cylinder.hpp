@@ -10,6 +10,7 @@
 
 #include "common/mixed/creep.hpp"
 #include "common/mixed/mixed_path.hpp"
+#include "common/mixed/mixed_tangent.hpp"
 #include "common/solve/arclength.hpp"
 #include "twod/cylinder_mesh.hpp"
 
@@ -25,6 +26,8 @@ struct Cylinder {
   mixed::PenaltyOptions penalty;
   bool inertia = true;
   mixed::Open open_outlet = mixed::Open::no;  ///< the paper's open boundary below, eq. (8)
+  /// Of creep, starts and primal-dual paths; one that is dropped or broken is of every step.
+  shear::TangentTerm tangent = shear::TangentTerm::primal_dual;
 };
 
 /// The discrete problem of a scene.

@@ -22,7 +22,7 @@ std::vector<std::string> files() {
 
 // What is solved, without how paths lead there: that may change from one run to the next.
 nlohmann::json without_ways(nlohmann::json parameters) {
-  for (const char* way : {"continuation", "route"}) parameters.erase(way);
+  for (const char* way : {"continuation", "route", "tangent"}) parameters.erase(way);
   return parameters;
 }
 
@@ -64,17 +64,16 @@ void CylinderSweep::save(const std::string& stage, double target,
   for (const auto& arrival : arrivals_) notes["reached"].push_back(as_json(arrival));
   for (const auto& measures : sweep_) notes["sweep"].push_back(as_json(measures));
   for (const auto& record : records_) notes["path"].push_back(as_json(record));
-  program::write_checkpoint(
-      folder_, checkpoint_name,
-      {notes,
-       {start.state, start.parameter, start.direction, start.step, start.reference_sign, start.secant},
-       mixed::numbers_of<2>(start.state.stress)});
+  program::write_checkpoint(folder_, checkpoint_name,
+                            {notes,
+                             {start.state, start.parameter, start.direction, start.step,
+                              start.reference_sign, start.secant},
+                             mixed::numbers_of<2>(start.state.stress)});
 }
 
-// Takes over from a checkpoint what it knows of the run, and where it stood: with its stress only if
-// it goes on in the same way. Throws io::UserError if it is of another run.
-solve::PathStart<CylinderFlow::State> CylinderSweep::recall(
-    const program::Checkpoint& checkpoint) {
+// Takes over from a checkpoint what it knows of the run, and where it stood: with its stress only
+// if it goes on in the same way. Throws io::UserError if it is of another run.
+solve::PathStart<CylinderFlow::State> CylinderSweep::recall(const program::Checkpoint& checkpoint) {
   const auto other = [&](const std::string& what) {
     return io::UserError("--resume: '" + (folder_.path() / checkpoint_name).string() +
                          "' belongs to a run with other options (" + what +
@@ -103,8 +102,8 @@ solve::PathStart<CylinderFlow::State> CylinderSweep::recall(
     CylinderFlow::State state(at.state, cylinder_.flow().stress_of(checkpoint.carried_stress));
     std::optional<CylinderFlow::State> secant;
     if (at.secant) secant.emplace(*at.secant);
-    return {std::move(state), at.parameter, at.direction, at.step, at.reference_sign,
-            std::move(secant)};
+    return {std::move(state), at.parameter,      at.direction,
+            at.step,          at.reference_sign, std::move(secant)};
   } catch (const nlohmann::json::exception&) {
     throw other("notes of another version");
   } catch (const std::invalid_argument& error) {

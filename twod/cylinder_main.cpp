@@ -6,6 +6,7 @@
 //   cylinder --around 24 --sweep 0.044:0.052:3 --regularisation barker-gray --plot
 //   cylinder --around 16 --full --loading 0.03 --penalty plain --lambda-r 1e-4
 //   cylinder --around 16 --lambda-r 1e-4 --check-jacobian
+//   cylinder --around 16 --loading 0.02 --tangent full
 //   cylinder --around 16 --loading 0.044 --outflow open-viscous --outlet 8 --route lambda-r
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,7 @@ struct Options {
   twod::SweepOptions run;
   program::PenaltyOptions penalty{.plain = 1e-8};
   std::string sweep, regularisation = "chauchat-medale", friction;
-  std::string outflow = "fully-developed", continuation, route;
+  std::string outflow = "fully-developed", continuation, route, tangent = "primal-dual";
   std::string output = "results/cylinder";
   bool no_pressure_regularisation = false, no_inertia = false, plot = false;
   bool check_jacobian = false;
@@ -64,6 +65,7 @@ void read(Options& o) {
   scene.regularisation = *rheology::regularisation_named(o.regularisation);
   scene.penalty = program::penalty_of(o.penalty);
   scene.inertia = !o.no_inertia;
+  scene.tangent = program::tangent_named(o.tangent);
   scene.regularises_pressure = !o.no_pressure_regularisation;
   for (const mixed::Open open : {mixed::Open::no, mixed::Open::viscous, mixed::Open::all})
     if (o.outflow == twod::name_of_outflow(open)) scene.open_outlet = open;
@@ -253,6 +255,7 @@ int main(int argc, char** argv) {
       "from creep (default otherwise)",
       {"cheapest", "loading", "lambda-r"})
       ->default_str("");
+  program::add_tangent(app, o.tangent);
   io::add_real(app, "--tolerance", o.tolerance,
                "Of the answer at each loading: relative residual and distance to the solution "
                "(default 1e-13 and 1e-10)",

@@ -20,6 +20,11 @@ constexpr double rough = 1e-6;
 constexpr int most_corrections = 24;
 constexpr double beyond_hope = 0.5;
 
+void use_primal_dual(CylinderFlow& cylinder, bool is_wanted) {
+  cylinder.flow().set_primal_dual(is_wanted &&
+                                  cylinder.scene().tangent == shear::TangentTerm::primal_dual);
+}
+
 template <class Problem>
 CylinderPath follow(CylinderFlow& cylinder, Problem problem, solve::PathStart<State> start,
                     Continuation continuation, solve::PathOptions options,
@@ -47,15 +52,16 @@ CylinderPath follow(CylinderFlow& cylinder, Problem problem, solve::PathStart<St
   // Steps so long that a tangent says nothing about their end, with time to converge.
   solve::PathOptions far = options;
   far.largest_step = 2;
-  const int saved = options.on_the_way > options.corrector.tolerance ? 1 : 0;  // corrections, by rough points
+  const int saved =
+      options.on_the_way > options.corrector.tolerance ? 1 : 0;  // corrections, by rough points
   far.few_corrections = 8 - saved;
   far.many_corrections = 14 - saved;
   far.corrector.max_iterations = most_corrections;
   far.corrector.hopeless = beyond_hope;
-  cylinder.flow().set_primal_dual(true);
+  use_primal_dual(cylinder, true);
   auto path =
       solve::follow_natural(problem, std::move(start), solve::Predictor::constant, far, observer);
-  cylinder.flow().set_primal_dual(false);
+  use_primal_dual(cylinder, false);
   return path;
 }
 
@@ -109,9 +115,9 @@ struct SmoothStart {
 SmoothStart start_at(CylinderFlow& cylinder, double loading, double lambda_r, bool is_primal_dual,
                      double tolerance) {
   SmoothStart start;
-  cylinder.flow().set_primal_dual(is_primal_dual);
+  use_primal_dual(cylinder, is_primal_dual);
   const auto newton = smooth_start(cylinder, loading, lambda_r, start.state, tolerance);
-  cylinder.flow().set_primal_dual(false);
+  use_primal_dual(cylinder, false);
   start.state.stress.clear();  // of another law
   start.lambda_r = cylinder.flow().rheology().lambda_r;
   start.succeeded = solve::is_success(newton.end);
@@ -129,7 +135,7 @@ SmoothStart start_under_floors(CylinderFlow& cylinder, double loading, double to
   constexpr double roughest = 1e-3;
   SmoothStart start{.state = cylinder.space().start()};
   cylinder.flow().set_load_factor(loading);
-  cylinder.flow().set_primal_dual(true);
+  use_primal_dual(cylinder, true);
   for (const Stage& stage :
        {Stage{loading_lambda_r, 0.1, roughest, solve::LineSearch::residual_norm},
         Stage{primal_dual_lambda_r, 0.03, roughest, solve::LineSearch::none},
@@ -149,7 +155,7 @@ SmoothStart start_under_floors(CylinderFlow& cylinder, double loading, double to
     start.succeeded = solve::is_success(newton.end);
     if (!start.succeeded) break;
   }
-  cylinder.flow().set_primal_dual(false);
+  use_primal_dual(cylinder, false);
   rheology::Rheology law = own;
   law.lambda_r = start.lambda_r;
   cylinder.flow().set_rheology(law);
@@ -190,8 +196,9 @@ SmoothStart start_from_rest(CylinderFlow& cylinder, double loading, Continuation
       auto along = start_along_loading(cylinder, loading, lambda_r, options);
       if (along.succeeded) return along;
     }
-  return is_primal_dual ? start_at(cylinder, loading, smooth_lambda_r, true, options.corrector.tolerance)
-                        : from_rest;
+  return is_primal_dual
+             ? start_at(cylinder, loading, smooth_lambda_r, true, options.corrector.tolerance)
+             : from_rest;
 }
 
 }  // namespace
@@ -249,7 +256,8 @@ CylinderPath solve_from_rest(CylinderFlow& cylinder, double loading, Continuatio
 mixed::CreepSummary creep_to(CylinderFlow& cylinder, double loading, double loading_before,
                              State& state, const solve::NewtonOptions& options) {
   cylinder.flow().set_lambda_r(cylinder.scene().lambda_r);
-  return mixed::creep_to_load(cylinder.flow(), loading, loading_before, state, options);
+  return mixed::creep_to_load(cylinder.flow(), loading, loading_before, state, options,
+                              cylinder.scene().tangent == shear::TangentTerm::primal_dual);
 }
 
 solve::NewtonSummary solve_creep(CylinderFlow& cylinder, double loading, State& state) {

@@ -241,3 +241,23 @@ BOOST_AUTO_TEST_CASE(a_load_that_does_not_creep_costs_little_and_leaves_the_stat
   soft.penalty = {mixed::Penalty::plain, 10 * soft.lambda_r};
   BOOST_TEST(!may_creep(soft, 0.02));
 }
+
+// Newton's own tangent and the primal-dual one come to the same creep; a broken one does not.
+BOOST_AUTO_TEST_CASE(the_tangent_asked_for_is_the_one_that_creep_is_solved_with) {
+  const auto creep_with = [](shear::TangentTerm tangent) {
+    Cylinder scene = cylinder_of(16);
+    scene.tangent = tangent;
+    CylinderFlow cylinder(scene);
+    State state;
+    const auto newton = solve_creep(cylinder, 0.04, state);
+    return std::pair(newton, solve::is_success(newton.end) ? measure(cylinder, state).drag : 0);
+  };
+  const auto [by_both, drag] = creep_with(shear::TangentTerm::primal_dual);
+  const auto [by_newton, drag_of_newton] = creep_with(shear::TangentTerm::full);
+  BOOST_TEST(solve::is_success(by_both.end));
+  BOOST_TEST(solve::is_success(by_newton.end));
+  BOOST_TEST(drag == drag_of_newton, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(by_both.iterations() != by_newton.iterations());
+  for (const auto broken : {shear::TangentTerm::frozen, shear::TangentTerm::wrong_sign})
+    BOOST_TEST(!solve::is_success(creep_with(broken).first.end));
+}

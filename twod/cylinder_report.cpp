@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "common/program/grid.hpp"
+#include "common/program/method_options.hpp"
 #include "common/program/penalty_options.hpp"
 #include "common/program/summary.hpp"
 
@@ -130,6 +131,7 @@ nlohmann::json as_json(const Cylinder& scene) {
                         {"pressure_floor", scene.pressure_floor},
                         {"regularises_pressure", scene.regularises_pressure},
                         {"inertia", scene.inertia},
+                        {"tangent", program::name_of(scene.tangent)},
                         {"friction", program::as_json(scene.law)}};
   all.update(program::as_json(scene.penalty));
   return all;

@@ -79,10 +79,10 @@ auto MixedFlow<Dim>::stress_after(const solve::CompensatedVector& step) const ->
   return next;
 }
 
-#define TALUS_FOR(Dim)                                                                        \
-  template auto MixedFlow<Dim>::stress_of(const StressField&) const -> Stress;                 \
-  template auto MixedFlow<Dim>::stress_of(std::span<const double>) const -> Stress;            \
-  template auto MixedFlow<Dim>::stress_after(const solve::CompensatedVector&) const -> Stress; \
+#define TALUS_FOR(Dim)                                                                       \
+  template auto MixedFlow<Dim>::stress_of(const StressField&) const->Stress;                 \
+  template auto MixedFlow<Dim>::stress_of(std::span<const double>) const->Stress;            \
+  template auto MixedFlow<Dim>::stress_after(const solve::CompensatedVector&) const->Stress; \
   template std::vector<double> numbers_of<Dim>(const std::vector<CarriedStress<Dim>>&);
 // The class is instantiated in mixed_flow.cpp, which does not see what is defined here.
 TALUS_FOR(2)

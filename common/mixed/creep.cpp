@@ -26,11 +26,11 @@ void scale_velocities(const MixedSpace<Dim>& space, double factor,
 // Creep asks for no determinants, so that factors may serve several steps; none from before, for
 // the answer is to follow from the state alone.
 template <int Dim>
-solve::NewtonSummary primal_dual_newton(MixedFlow<Dim>& flow, typename MixedFlow<Dim>::State& state,
-                                        const solve::NewtonOptions& options) {
+solve::NewtonSummary creeping_newton(MixedFlow<Dim>& flow, typename MixedFlow<Dim>::State& state,
+                                     const solve::NewtonOptions& options, bool is_primal_dual) {
   const LinearSolver own = flow.linear_solver();
   flow.set_linear_solver(LinearSolver::lagged);
-  flow.set_primal_dual(true);
+  flow.set_primal_dual(is_primal_dual);
   state.stress.clear();
   const auto newton = solve::newton(flow, state, options);
   flow.set_primal_dual(false);
@@ -42,7 +42,7 @@ solve::NewtonSummary primal_dual_newton(MixedFlow<Dim>& flow, typename MixedFlow
 // under the flow's own.
 template <int Dim>
 solve::NewtonSummary creep_from_rest(MixedFlow<Dim>& flow, typename MixedFlow<Dim>::State& state,
-                                     const solve::NewtonOptions& options) {
+                                     const solve::NewtonOptions& options, bool is_primal_dual) {
   const rheology::Rheology own = flow.rheology();
   rheology::Rheology smooth = own;
   smooth.lambda_r = std::max(own.lambda_r, smooth_lambda_r);
@@ -50,13 +50,13 @@ solve::NewtonSummary creep_from_rest(MixedFlow<Dim>& flow, typename MixedFlow<Di
   smooth.regularises_pressure = true;
   state = flow.space().start();
   flow.set_rheology(smooth);
-  const auto start = primal_dual_newton(flow, state, roughly(options));
+  const auto start = creeping_newton(flow, state, roughly(options), is_primal_dual);
   flow.set_rheology(own);
   if (!solve::is_success(start.end)) return start;
   scale_velocities(flow.space(), own.lambda_r / smooth.lambda_r, state);
   solve::NewtonOptions from_there = options;
   from_there.max_iterations -= start.iterations();
-  return primal_dual_newton(flow, state, from_there);
+  return creeping_newton(flow, state, from_there, is_primal_dual);
 }
 
 }  // namespace
@@ -71,7 +71,8 @@ solve::NewtonOptions creep_options() {
 
 template <int Dim>
 CreepSummary creep_to_load(MixedFlow<Dim>& flow, double load, double load_before,
-                           typename MixedFlow<Dim>::State& state, const solve::NewtonOptions& options) {
+                           typename MixedFlow<Dim>::State& state,
+                           const solve::NewtonOptions& options, bool is_primal_dual) {
   CreepSummary summary;
   const int first = flow.iterations();
   typename MixedFlow<Dim>::State here = state;
@@ -86,8 +87,8 @@ CreepSummary creep_to_load(MixedFlow<Dim>& flow, double load, double load_before
     flow.set_load_factor(next);
     typename MixedFlow<Dim>::State trial = here;
     if (reached != 0) scale_velocities(flow.space(), next / reached, trial);
-    summary.newton = reached == 0 ? creep_from_rest(flow, trial, attempt)
-                                  : primal_dual_newton(flow, trial, attempt);
+    summary.newton = reached == 0 ? creep_from_rest(flow, trial, attempt, is_primal_dual)
+                                  : creeping_newton(flow, trial, attempt, is_primal_dual);
     if (!solve::is_success(summary.newton.end)) {
       ++summary.failures;
       step /= 2;
@@ -109,8 +110,8 @@ CreepSummary creep_to_load(MixedFlow<Dim>& flow, double load, double load_before
 }
 
 template CreepSummary creep_to_load(MixedFlow<2>&, double, double, MixedFlow<2>::State&,
-                                    const solve::NewtonOptions&);
+                                    const solve::NewtonOptions&, bool);
 template CreepSummary creep_to_load(MixedFlow<3>&, double, double, MixedFlow<3>::State&,
-                                    const solve::NewtonOptions&);
+                                    const solve::NewtonOptions&, bool);
 
 }  // namespace talus::mixed

@@ -18,13 +18,14 @@ struct CreepSummary {
 };
 
 /// Comes to a load at the flow's own λr from the creep under `load_before`, or from rest if that is
-/// 0: at once, else by way of the load half way, and so on. Newton's method is primal-dual;
-/// `options.max_iterations` is for all of it. From rest it begins under a smoother law: a larger
-/// λr, and a floor under the pressure of eq. (16). The flow is left at `load`; the state as it was
-/// if it failed.
+/// 0: at once, else by way of the load half way, and so on. Newton's tangent is
+/// primal-dual unless told not to be; `options.max_iterations` is for all of it. From rest it
+/// begins under a smoother law: a larger λr, and a floor under the pressure of eq. (16). The flow
+/// is left at `load`; the state as it was if it failed.
 template <int Dim>
 CreepSummary creep_to_load(MixedFlow<Dim>& flow, double load, double load_before,
                            typename MixedFlow<Dim>::State& state,
-                           const solve::NewtonOptions& options = creep_options());
+                           const solve::NewtonOptions& options = creep_options(),
+                           bool is_primal_dual = true);
 
 }  // namespace talus::mixed

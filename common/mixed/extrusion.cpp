@@ -17,7 +17,7 @@ Eigen::Index nodes_along(const MixedSpace<Dim>& space, const solve::CompensatedV
 
 template <int Dim>
 typename MixedSpace<Dim>::State extruded(const MixedSpace<Dim>& space,
-                                  const solve::CompensatedVector& velocity) {
+                                         const solve::CompensatedVector& velocity) {
   Eigen::VectorXd value = Eigen::VectorXd::Zero(space.size()), correction = value;
   const Eigen::Index along = nodes_along(space, velocity);
   for (Eigen::Index node = 0; node < along * velocity.size(); ++node) {

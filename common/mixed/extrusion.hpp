@@ -10,7 +10,7 @@ namespace talus::mixed {
 /// the cross-section, numbered as in the tensor mesh of the other axes.
 template <int Dim>
 typename MixedSpace<Dim>::State extruded(const MixedSpace<Dim>& space,
-                                  const solve::CompensatedVector& velocity);
+                                         const solve::CompensatedVector& velocity);
 
 /// How far a state is from such a flow: relative to its largest velocity, and for pressure, taken
 /// at the quadrature points, to `largest_pressure`.

@@ -46,8 +46,8 @@ fem::Mesh<3> extruded_mesh(const fem::Mesh<2>& plane, std::span<const double> bo
 }
 
 MixedSpace<3>::State extruded_state(const MixedSpace<2>& plane,
-                                        const solve::CompensatedVector& state,
-                                        const MixedSpace<3>& space) {
+                                    const solve::CompensatedVector& state,
+                                    const MixedSpace<3>& space) {
   Eigen::VectorXd value = Eigen::VectorXd::Zero(space.size()), correction = value;
   const auto nodes = static_cast<Eigen::Index>(plane.mesh().nodes.size());
   for (Eigen::Index node = 0; 3 * node < space.velocity_count(); ++node)

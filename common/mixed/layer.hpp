@@ -16,8 +16,8 @@ fem::Mesh<3> extruded_mesh(const fem::Mesh<2>& plane, std::span<const double> bo
 /// A state of plane flow on the extruded mesh: its velocities and pressures in every layer, no
 /// velocity along the new axis.
 MixedSpace<3>::State extruded_state(const MixedSpace<2>& plane,
-                                        const solve::CompensatedVector& state,
-                                        const MixedSpace<3>& space);
+                                    const solve::CompensatedVector& state,
+                                    const MixedSpace<3>& space);
 
 /// How far a state is from a plane one: relative to the largest velocity of the plane flow, and for
 /// pressure, taken at the quadrature points, to its largest pressure; `cross_flow` is the velocity

@@ -224,7 +224,7 @@ const std::vector<ManufacturedFlow<3>>& manufactured_flows() {
 
 template <int Dim>
 typename MixedSpace<Dim>::State interpolate(const ManufacturedFlow<Dim>& exact,
-                                     const MixedSpace<Dim>& space) {
+                                            const MixedSpace<Dim>& space) {
   auto state = space.start();
   const auto& nodes = space.mesh().nodes;
   for (std::size_t node = 0; node < nodes.size(); ++node) {

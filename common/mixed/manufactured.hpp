@@ -41,7 +41,7 @@ const std::vector<ManufacturedFlow<Dim>>& manufactured_flows();
 /// The exact velocity at the nodes and pressure in the middle of the elements: a start for Newton.
 template <int Dim>
 typename MixedSpace<Dim>::State interpolate(const ManufacturedFlow<Dim>& exact,
-                                     const MixedSpace<Dim>& space);
+                                            const MixedSpace<Dim>& space);
 
 /// Errors of a discrete flow in the norms its orders are known in: 3, 2 and 2.
 struct FlowErrors {

@@ -106,7 +106,8 @@ Eigen::VectorXd MixedFlow<Dim>::load_derivative() const {
 }
 
 template <int Dim>
-Eigen::VectorXd MixedFlow<Dim>::log_lambda_r_derivative(const solve::CompensatedVector& state) const {
+Eigen::VectorXd MixedFlow<Dim>::log_lambda_r_derivative(
+    const solve::CompensatedVector& state) const {
   constexpr double step = 1e-4;  // of ln λr: truncation and rounding are then both about 1e-9
   rheology::Rheology up = rheology_, down = rheology_;
   up.lambda_r *= std::exp(step);
@@ -120,7 +121,8 @@ Eigen::VectorXd MixedFlow<Dim>::log_lambda_r_derivative(const solve::Compensated
 }
 
 template <int Dim>
-void MixedFlow<Dim>::add_open_sides(const solve::CompensatedVector& x, Eigen::VectorXd& product) const {
+void MixedFlow<Dim>::add_open_sides(const solve::CompensatedVector& x,
+                                    Eigen::VectorXd& product) const {
   for (const auto& face : space_.open_faces()) {
     const auto side = open_side(space_, rheology_, static_pressure_, evaluated_, face);
     const auto unknowns = element_unknowns(space_, face.element);

@@ -23,8 +23,7 @@ rheology::Rheology rheology_of(const rheology::Regularisation& regularisation) {
 
 // The uncondensed matrix, column by column, without fixed velocities.
 template <int Dim>
-Eigen::MatrixXd full_matrix(MixedFlow<Dim>& problem,
-                            const typename MixedFlow<Dim>::State& state) {
+Eigen::MatrixXd full_matrix(MixedFlow<Dim>& problem, const typename MixedFlow<Dim>::State& state) {
   const MixedSpace<Dim>& space = problem.space();
   problem.evaluate(state);
   std::vector<Eigen::Index> free;

@@ -123,22 +123,22 @@ solve::JacobianProblem jacobian_problem(MixedFlow<Dim>& problem,
   problem.evaluate(state);
   const auto matrix =
       std::make_shared<Matrix>(problem.tangent_matrix(MixedFlow<Dim>::TangentPenalty::of_residual));
-  return {
-      space.size(),
-      [&problem, state, admissible](const Eigen::VectorXd& displacement) {
-        return problem.evaluate(state.moved(1, typename MixedFlow<Dim>::State(admissible(displacement))));
-      },
-      [matrix, admissible](const Eigen::VectorXd& direction) -> Eigen::VectorXd {
-        return *matrix * admissible(direction);
-      },
-      {velocity, pressure},
-      {velocity, pressure},
-      curvature_scale(problem, state),
-      [&problem, state] {
-        solve::SystemError error = condensation_error(problem, state);
-        error.value = solve::nan_max(error.value, product_error(problem, state));
-        return error;
-      }};
+  return {space.size(),
+          [&problem, state, admissible](const Eigen::VectorXd& displacement) {
+            return problem.evaluate(
+                state.moved(1, typename MixedFlow<Dim>::State(admissible(displacement))));
+          },
+          [matrix, admissible](const Eigen::VectorXd& direction) -> Eigen::VectorXd {
+            return *matrix * admissible(direction);
+          },
+          {velocity, pressure},
+          {velocity, pressure},
+          curvature_scale(problem, state),
+          [&problem, state] {
+            solve::SystemError error = condensation_error(problem, state);
+            error.value = solve::nan_max(error.value, product_error(problem, state));
+            return error;
+          }};
 }
 
 template <int Dim>

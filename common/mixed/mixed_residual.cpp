@@ -86,8 +86,9 @@ BoundedIntegrand<Dim> integrand_at(const PointState<Dim>& at, const Pack& pressu
 }  // namespace
 
 template <int Dim>
-void MixedFlow<Dim>::assemble_with(const rheology::Rheology& rheology, const solve::CompensatedVector& state,
-                                   solve::Residual& residual, std::vector<States>* states) const {
+void MixedFlow<Dim>::assemble_with(const rheology::Rheology& rheology,
+                                   const solve::CompensatedVector& state, solve::Residual& residual,
+                                   std::vector<States>* states) const {
   std::visit([&](const auto& kind) { assemble(kind, rheology, state, residual, states); },
              rheology.regularisation);
   if (!space_.open_faces().empty()) add_open_sides(rheology, state, residual);
@@ -98,8 +99,9 @@ void MixedFlow<Dim>::assemble_with(const rheology::Rheology& rheology, const sol
 template <int Dim>
 template <class Regularisation>
 void MixedFlow<Dim>::assemble(const Regularisation& regularisation,
-                              const rheology::Rheology& rheology, const solve::CompensatedVector& state,
-                              solve::Residual& residual, std::vector<States>* states) const {
+                              const rheology::Rheology& rheology,
+                              const solve::CompensatedVector& state, solve::Residual& residual,
+                              std::vector<States>* states) const {
   using std::experimental::abs;
   using std::experimental::sqrt;
   residual.value = Eigen::VectorXd::Zero(space_.size());
@@ -154,7 +156,8 @@ void MixedFlow<Dim>::assemble(const Regularisation& regularisation,
 }
 
 template <int Dim>
-void MixedFlow<Dim>::add_open_sides(const rheology::Rheology& rheology, const solve::CompensatedVector& state,
+void MixedFlow<Dim>::add_open_sides(const rheology::Rheology& rheology,
+                                    const solve::CompensatedVector& state,
                                     solve::Residual& residual) const {
   for (const auto& face : space_.open_faces()) {
     const auto side = open_side(space_, rheology, static_pressure_, state, face);
@@ -169,15 +172,15 @@ void MixedFlow<Dim>::add_open_sides(const rheology::Rheology& rheology, const so
 }
 
 // The class is instantiated in mixed_flow.cpp, which does not see what is defined here.
-template void MixedFlow<2>::assemble_with(const rheology::Rheology&, const solve::CompensatedVector&, solve::Residual&,
+template void MixedFlow<2>::assemble_with(const rheology::Rheology&,
+                                          const solve::CompensatedVector&, solve::Residual&,
                                           std::vector<States>*) const;
-template void MixedFlow<3>::assemble_with(const rheology::Rheology&, const solve::CompensatedVector&, solve::Residual&,
+template void MixedFlow<3>::assemble_with(const rheology::Rheology&,
+                                          const solve::CompensatedVector&, solve::Residual&,
                                           std::vector<States>*) const;
 template void MixedFlow<2>::add_open_sides(const rheology::Rheology&,
-                                           const solve::CompensatedVector&,
-                                           solve::Residual&) const;
+                                           const solve::CompensatedVector&, solve::Residual&) const;
 template void MixedFlow<3>::add_open_sides(const rheology::Rheology&,
-                                           const solve::CompensatedVector&,
-                                           solve::Residual&) const;
+                                           const solve::CompensatedVector&, solve::Residual&) const;
 
 }  // namespace talus::mixed

@@ -175,8 +175,7 @@ Eigen::SparseMatrix<double> MixedFlow<Dim>::tangent_matrix(TangentPenalty penalt
 
 // With factors of an earlier state, while they are worth it.
 template <int Dim>
-bool MixedFlow<Dim>::iterate(const Eigen::VectorXd& right_hand_side,
-                             solve::CompensatedVector& x) {
+bool MixedFlow<Dim>::iterate(const Eigen::VectorXd& right_hand_side, solve::CompensatedVector& x) {
   if (lag_.budget() == 0) return false;
   Eigen::VectorXd solution;
   const auto summary = solve_preconditioned(*this, right_hand_side, solution,

@@ -134,7 +134,8 @@ typename MixedSpace<Dim>::PressureValues MixedSpace<Dim>::pressure_basis(
 }
 
 template <int Dim>
-typename MixedSpace<Dim>::Values MixedSpace<Dim>::values_at(const solve::CompensatedVector& state, std::size_t element,
+typename MixedSpace<Dim>::Values MixedSpace<Dim>::values_at(const solve::CompensatedVector& state,
+                                                            std::size_t element,
                                                             const Vector& reference) const {
   const fem::ElementPoint<Dim> at(mesh_, element, reference);
   const auto& nodes = mesh_.elements[element];

@@ -124,7 +124,8 @@ class MixedSpace {
       return (velocity_gradient + velocity_gradient.transpose()).norm() / std::sqrt(2.0);
     }
   };
-  Values values_at(const solve::CompensatedVector& state, std::size_t element, const Vector& reference) const;
+  Values values_at(const solve::CompensatedVector& state, std::size_t element,
+                   const Vector& reference) const;
 
  private:
   void constrain();

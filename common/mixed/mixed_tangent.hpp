@@ -6,13 +6,18 @@
 
 namespace talus::mixed {
 
-/// From now on Newton takes steps with this tangent.
-template <int Dim>
-void set_tangent(MixedFlow<Dim>& flow, shear::TangentTerm term) {
+/// What becomes of the derivatives of the viscosity: as they are, dropped, or of the wrong sign.
+inline TangentFactors tangent_factors(shear::TangentTerm term) {
   const double factor = term == shear::TangentTerm::frozen       ? 0
                         : term == shear::TangentTerm::wrong_sign ? -1
                                                                  : 1;
-  flow.set_tangent_factors({.shear_rate = factor, .pressure = factor});
+  return {.shear_rate = factor, .pressure = factor};
+}
+
+/// From now on Newton takes steps with this tangent.
+template <int Dim>
+void set_tangent(MixedFlow<Dim>& flow, shear::TangentTerm term) {
+  flow.set_tangent_factors(tangent_factors(term));
   flow.set_primal_dual(term == shear::TangentTerm::primal_dual);
 }
 

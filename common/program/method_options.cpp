@@ -1,7 +1,9 @@
 #include "common/program/method_options.hpp"
 
 #include <algorithm>
+#include <array>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "common/io/options.hpp"
@@ -20,19 +22,32 @@ void add_friction(CLI::App& app, std::string& friction) {
                "Friction law mu_s,delta_mu,I0 [each 0.001 ... 10; default 0.383,0.26,0.279]");
 }
 
+namespace {
+
+constexpr std::array<std::pair<const char*, shear::TangentTerm>, 4> tangents{
+    {{"primal-dual", shear::TangentTerm::primal_dual},
+     {"full", shear::TangentTerm::full},
+     {"frozen", shear::TangentTerm::frozen},
+     {"wrong-sign", shear::TangentTerm::wrong_sign}}};
+
+}  // namespace
+
 void add_tangent(CLI::App& app, std::string& tangent) {
+  std::vector<std::string> names;
+  for (const auto& [name, term] : tangents) names.push_back(name);
   io::add_choice(
       app, "--tangent", tangent,
       "Derivative of the viscosity in the tangent: in primal-dual form, plain, dropped, or "
       "broken",
-      {"primal-dual", "full", "frozen", "wrong-sign"});
+      names);
 }
 
 shear::TangentTerm tangent_named(const std::string& tangent) {
-  return tangent == "primal-dual" ? shear::TangentTerm::primal_dual
-         : tangent == "full"      ? shear::TangentTerm::full
-         : tangent == "frozen"    ? shear::TangentTerm::frozen
-                                  : shear::TangentTerm::wrong_sign;
+  return std::ranges::find(tangents, tangent, &decltype(tangents)::value_type::first)->second;
+}
+
+std::string name_of(shear::TangentTerm tangent) {
+  return std::ranges::find(tangents, tangent, &decltype(tangents)::value_type::second)->first;
 }
 
 void add_threads(CLI::App& app, int& threads) {

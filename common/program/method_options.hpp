@@ -33,6 +33,7 @@ void add_friction(CLI::App& app, std::string& friction);
 /// Adds --tangent; what its value means.
 void add_tangent(CLI::App& app, std::string& tangent);
 shear::TangentTerm tangent_named(const std::string& tangent);
+std::string name_of(shear::TangentTerm tangent);
 
 /// What a value of --line-search means.
 solve::LineSearch line_search_named(const std::string& line_search);

@@ -52,7 +52,9 @@ class ShearFlow {
   /// Certificate that the discrete problem has no solution: shear::recession(w) < 0.
   bool exceeds_capacity(const State& w) const;
   /// K x, uncondensed: what the Jacobian check compares with differences of the residual.
-  Eigen::VectorXd tangent_product(const solve::CompensatedVector& x) const { return space_.product(tangents_, x); }
+  Eigen::VectorXd tangent_product(const solve::CompensatedVector& x) const {
+    return space_.product(tangents_, x);
+  }
   /// η grad w at every quadrature point, at the state last evaluated.
   const Stress& stress() const { return stress_; }
 

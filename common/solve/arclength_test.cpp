@@ -70,8 +70,7 @@ BOOST_AUTO_TEST_CASE(the_fold_of_bratu_s_problem_is_found_to_nine_digits) {
     const auto path = follow_arclength<SmallProblem>(
         problem,
         {.state = CompensatedVector(VectorXd(constant(19, 0))), .parameter = 3, .step = step},
-        options,
-        [](const auto& at, PathPoint&) { return at.state.value()[9] < 3; });
+        options, [](const auto& at, PathPoint&) { return at.state.value()[9] < 3; });
     BOOST_CHECK(path.end == PathEnd::stopped);
     const std::vector<double> folds = fold_parameters(path.points);
     BOOST_REQUIRE(folds.size() == 1);

@@ -51,19 +51,19 @@ class InLambdaR {
   void set_parameter(double parameter) { problem_.set_lambda_r(lambda_r_at(parameter)); }
   const Residual& evaluate(const State& state) { return problem_.evaluate(state); }
   bool linear_solve(const Eigen::VectorXd& b, State& x) { return problem_.linear_solve(b, x); }
-  bool exceeds_capacity(const State& state) const
-    requires requires(P& problem) { problem.exceeds_capacity(state); }
-  {
-    return problem_.exceeds_capacity(state);
+  bool exceeds_capacity(const State& state) const requires requires(P& problem) {
+    problem.exceeds_capacity(state);
   }
+  { return problem_.exceeds_capacity(state); }
 
  private:
   P& problem_;
   double target_;
 };
 
-/// Solves at the problem's own λr by way of λr = `first` downwards in adaptive steps. On a failure `state` is the last solution on the way, or where the first solve left
-/// it, and the problem stays at the λr of that state.
+/// Solves at the problem's own λr by way of λr = `first` downwards in adaptive steps. On a failure
+/// `state` is the last solution on the way, or where the first solve left it, and the problem stays
+/// at the λr of that state.
 template <NewtonProblem P>
 ContinuationSummary newton_along_path(P& problem, typename P::State& state,
                                       const NewtonOptions& newton_options = {},
@@ -78,10 +78,9 @@ ContinuationSummary newton_along_path(P& problem, typename P::State& state,
   path_options.corrector = newton_options;
   path_options.on_the_way = options.tolerance_on_the_way;
   const double first = std::max(std::log10(options.first), path_problem.target());
-  auto path = follow_natural(path_problem,
-                             {.state = state, .parameter = first, .direction = -1,
-                              .step = options.step},
-                             Predictor::constant, path_options);
+  auto path = follow_natural(
+      path_problem, {.state = state, .parameter = first, .direction = -1, .step = options.step},
+      Predictor::constant, path_options);
   ContinuationSummary summary;
   for (const PathAttempt& attempt : path.attempts)
     summary.path.push_back(

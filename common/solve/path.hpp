@@ -29,8 +29,7 @@ concept ParameterProblem = NewtonProblem<P> && requires(P problem, double s) {
 /// What a tangent of the path asks for as well. `linear_solve` keeps its factors for further
 /// right-hand sides at one state.
 template <class P>
-concept PathProblem =
-    ParameterProblem<P> && requires(P problem, const typename P::State& state) {
+concept PathProblem = ParameterProblem<P> && requires(P problem, const typename P::State& state) {
   /// dR/ds at the state last evaluated.
   { problem.parameter_derivative() } -> std::convertible_to<Eigen::VectorXd>;
   /// Sign of det J of the tangent last factored.
@@ -118,7 +117,7 @@ struct PathOptions {
   int few_corrections = 3, many_corrections = 6;    ///< the step grows up to, shrinks from here
   double growth = 1.5;                              ///< factor for both; a failure halves the step
   bool grows_after_failure = true;  ///< natural continuation: also a step that was halved
-  double max_deviation = 2;  ///< correction of a predicted state, over the step
+  double max_deviation = 2;         ///< correction of a predicted state, over the step
   /// Of every point, full steps: a path needs none shorter, it shortens its own. The distance to
   /// the solution counts at the target only.
   NewtonOptions corrector = {.tolerance = 1e-10,

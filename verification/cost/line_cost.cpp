@@ -1,6 +1,7 @@
 // Work and precision on a line: error against CPU time, the Pareto front, and the cheapest way to
 // an error.
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "common/solve/stopwatch.hpp"
@@ -33,11 +34,17 @@ oned::Solution timed(const oned::ShearScene& scene, const std::vector<double>& l
   return best;
 }
 
+constexpr std::array drawn_lambda_r{1e-4, 1e-6, 1e-8, 1e-12};
+
+std::string labelled(const NamedMethod& method, double lambda_r) {
+  return method.label + ", λr " + short_power(lambda_r);
+}
+
 std::vector<NamedMethod> compared_methods() {
   std::vector<NamedMethod> methods;
   for (const double lambda_r : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12})
     for (NamedMethod method : newton_methods(lambda_r)) {
-      method.label += ", λr " + short_power(lambda_r);
+      method.label = labelled(method, lambda_r);
       // On the finest meshes a few need the way down in λr; it is part of what they cost.
       method.options.continuation = shear::Continuation::on_failure;
       methods.push_back(method);
@@ -56,18 +63,22 @@ void mark_front(std::vector<Run>& runs) {
   }
 }
 
-// Of the many curves those that tell apart what λr does, with eq. (12) and laws without a yield
-// stress, and of the others one; the front has them all.
-std::vector<std::string> drawn_methods() {
-  std::vector<std::string> labels = {reference_method().label};
-  for (const double lambda_r : {1e-4, 1e-6, 1e-8, 1e-12})
-    for (const NamedMethod& method : newton_methods(lambda_r))
-      if (lambda_r == 1e-6 || !has_yield_stress(method) ||
-          method.label == rheology::ChauchatMedale::name)
-        labels.push_back(method.label + ", λr " + short_power(lambda_r));
-  return labels;
+// Of one method on the meshes of a family, the coarsest first.
+io::Curve curve_of(const std::vector<Run>& runs, const std::string& mesh, const std::string& method,
+                   const std::string& label) {
+  std::vector<const Run*> of_method;
+  for (const Run& run : runs)
+    if (run.mesh == mesh && run.method == method) of_method.push_back(&run);
+  std::ranges::sort(of_method, {}, &Run::elements);
+  io::Curve curve{label, {}, {}};
+  for (const Run* run : of_method) {
+    curve.x.push_back(run->seconds);
+    curve.y.push_back(run->error);
+  }
+  return curve;
 }
 
+// A panel for each family of meshes and λr, with every law and what has no λr.
 io::Figure front_figure(const oned::ShearScene& scene, const std::string& name,
                         const std::vector<Run>& runs) {
   io::Figure figure{name,
@@ -75,32 +86,23 @@ io::Figure front_figure(const oned::ShearScene& scene, const std::string& name,
                     "mesh. The line is the Pareto front: nothing cheaper is as accurate.",
                     {},
                     2};
-  const auto drawn = drawn_methods();
-  for (const auto& order_case : scene.order_cases) {
-    io::Panel panel{scene.name + ", " + order_case.name, "CPU seconds", "L2 error", true, true, {}};
-    std::vector<std::string> labels;
-    for (const Run& run : runs)
-      if (run.mesh == order_case.name &&
-          std::find(labels.begin(), labels.end(), run.method) == labels.end())
-        labels.push_back(run.method);
-    std::sort(labels.begin(), labels.end());
-    for (const std::string& label : labels) {
-      if (std::find(drawn.begin(), drawn.end(), label) == drawn.end()) continue;
-      io::Curve curve{label, {}, {}};
-      std::vector<const Run*> of_label;
-      for (const Run& run : runs)
-        if (run.mesh == order_case.name && run.method == label) of_label.push_back(&run);
-      std::sort(of_label.begin(), of_label.end(),
-                [](const Run* a, const Run* b) { return a->elements < b->elements; });
-      for (const Run* run : of_label) {
-        curve.x.push_back(run->seconds);
-        curve.y.push_back(run->error);
-      }
-      panel.curves.push_back(curve);
+  for (const auto& order_case : scene.order_cases)
+    for (const double lambda_r : drawn_lambda_r) {
+      io::Panel panel{order_case.name + ", λr " + short_power(lambda_r),
+                      "CPU seconds",
+                      "L2 error",
+                      true,
+                      true,
+                      {}};
+      for (const NamedMethod& method : newton_methods(lambda_r))
+        panel.curves.push_back(
+            curve_of(runs, order_case.name, labelled(method, lambda_r), method.label));
+      const std::string without = reference_method().label;
+      panel.curves.push_back(curve_of(runs, order_case.name, without, without));
+      std::erase_if(panel.curves, [](const io::Curve& curve) { return curve.x.empty(); });
+      panel.key = "bottom left";
+      figure.panels.push_back(panel);
     }
-    panel.key = "bottom left";
-    figure.panels.push_back(panel);
-  }
   io::Panel front{
       scene.name + ", all meshes and methods", "CPU seconds", "L2 error", true, true, {}};
   io::Curve all{"every run", {}, {}, io::Style::points}, best{"Pareto front", {}, {}};

@@ -29,7 +29,8 @@ std::vector<MixedState> mixed_states(double lambda_r) {
 
 // A manufactured flow scaled to this rate and moved along, the pressure about constant.
 template <int Dim>
-typename mixed::MixedSpace<Dim>::State state_at(const mixed::MixedSpace<Dim>& space, const MixedState& at) {
+typename mixed::MixedSpace<Dim>::State state_at(const mixed::MixedSpace<Dim>& space,
+                                                const MixedState& at) {
   const auto& flow = mixed::manufactured_flows<Dim>().front();
   auto state = space.start();
   for (Eigen::Index node = 0; node < space.velocity_count() / Dim; ++node)

@@ -36,8 +36,8 @@ ModelCost cost_of(const mixed::MixedFlow<Dim>& flow, const solve::ContinuationSu
 
 // The plane's solution in the layer, pushed off a little, along the axis too.
 mixed::MixedSpace<3>::State pushed_off(const mixed::MixedSpace<2>& plane,
-                                    const solve::CompensatedVector& state,
-                                    const mixed::MixedSpace<3>& space) {
+                                       const solve::CompensatedVector& state,
+                                       const mixed::MixedSpace<3>& space) {
   constexpr double push = 1e-5;
   auto pushed = mixed::extruded_state(plane, state, space);
   for (Eigen::Index node = 0; 3 * node < space.velocity_count(); ++node) {
