@@ -257,7 +257,7 @@ BOOST_AUTO_TEST_CASE(the_tangent_asked_for_is_the_one_that_creep_is_solved_with)
   BOOST_TEST(solve::is_success(by_both.end));
   BOOST_TEST(solve::is_success(by_newton.end));
   BOOST_TEST(drag == drag_of_newton, boost::test_tools::tolerance(1e-9));
-  BOOST_TEST(by_both.iterations() != by_newton.iterations());
+  BOOST_TEST(by_both.history[2].residual != by_newton.history[2].residual);
   for (const auto broken : {shear::TangentTerm::frozen, shear::TangentTerm::wrong_sign})
     BOOST_TEST(!solve::is_success(creep_with(broken).first.end));
 }
