@@ -68,6 +68,7 @@ done <<'END'
 --lambda-p 2
 --penalty none
 --friction 1,2
+--method interior-point
 --tangent flat
 --tolerance 0.1
 --threads 0

@@ -26,7 +26,7 @@ namespace {
 
 struct Options {
   std::string model = "plane", flow = "sheared", mesh = "uniform";
-  std::string regularisation = "chauchat-medale", friction, tangent = "full";
+  std::string regularisation = "chauchat-medale", friction, method = "newton", tangent = "full";
   std::string output = "results/manufactured";
   program::PenaltyOptions penalty;
   double lambda_r = 0;   // 0: the flow's own
@@ -196,6 +196,7 @@ void add_options(CLI::App& app, Options& o) {
   program::add_friction(app, o.friction);
   app.add_flag("--no-inertia", o.no_inertia, "Leave out the advective term");
   program::add_penalty(app, o.penalty);
+  program::add_newton(app, o.method);
   program::add_tangent(app, o.tangent);
   io::add_real(app, "--tolerance", o.tolerance,
                "Of Newton's answer: relative residual and distance to the solution (default 1e-12)",

@@ -117,6 +117,7 @@ check refuses "--loading: it is given twice" -- "$cylinder" --loading 0.01 --loa
 for tangent in primal-dual full; do
   check succeeds cylinder "$cylinder" --around 16 --tangent $tangent --check-jacobian
 done
+check refuses --method "'interior-point'" newton -- "$cylinder" --method interior-point
 check refuses --outflow "'foo'" open-viscous -- "$cylinder" --outflow foo
 check refuses --route "'foo'" lambda-r -- "$cylinder" --route foo
 check refuses --confining-pressure "'0'" 0.01 -- "$cylinder" --confining-pressure 0

@@ -33,7 +33,8 @@ struct Options {
   twod::SweepOptions run;
   program::PenaltyOptions penalty{.plain = 1e-8};
   std::string sweep, regularisation = "chauchat-medale", friction;
-  std::string outflow = "fully-developed", continuation, route, tangent = "primal-dual";
+  std::string outflow = "fully-developed", continuation, route, method = "newton",
+              tangent = "primal-dual";
   std::string output = "results/cylinder";
   bool no_pressure_regularisation = false, no_inertia = false, plot = false;
   bool check_jacobian = false;
@@ -255,6 +256,7 @@ int main(int argc, char** argv) {
       "from creep (default otherwise)",
       {"cheapest", "loading", "lambda-r"})
       ->default_str("");
+  program::add_newton(app, o.method);
   program::add_tangent(app, o.tangent);
   io::add_real(app, "--tolerance", o.tolerance,
                "Of the answer at each loading: relative residual and distance to the solution "

@@ -50,6 +50,11 @@ std::string name_of(shear::TangentTerm tangent) {
   return std::ranges::find(tangents, tangent, &decltype(tangents)::value_type::second)->first;
 }
 
+void add_newton(CLI::App& app, std::string& method) {
+  io::add_choice(app, "--method", method, "Newton: there is no interior point with a pressure",
+                 {"newton"});
+}
+
 void add_threads(CLI::App& app, int& threads) {
   constexpr int most = 256;
   threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, most);

@@ -30,6 +30,8 @@ void add_regularisation(CLI::App& app, std::string& name);
 /// Adds --friction, for `friction_law`.
 void add_friction(CLI::App& app, std::string& friction);
 
+/// Adds --method where there is but one: velocity and pressure have no interior point.
+void add_newton(CLI::App& app, std::string& method);
 /// Adds --tangent; what its value means.
 void add_tangent(CLI::App& app, std::string& tangent);
 shear::TangentTerm tangent_named(const std::string& tangent);
