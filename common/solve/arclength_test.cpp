@@ -163,50 +163,6 @@ BOOST_AUTO_TEST_CASE(a_wrong_tangent_lowers_the_order_of_the_predictor) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(natural_continuation_fails_at_the_first_fold_whatever_its_predictor) {
-  for (const Predictor predictor : {Predictor::constant, Predictor::secant, Predictor::tangent}) {
-    SmallProblem problem = cubic();
-    const auto path = follow_natural(problem, cubic_start(), predictor, {.target = 18});
-    BOOST_CHECK(path.end == PathEnd::step_too_small);
-    BOOST_TEST(path.points.back().parameter < 2 + 1e-8);
-    BOOST_TEST(path.points.back().parameter > 1.999);
-    BOOST_TEST(path.next.state.value()[0] == -1, tolerance(0.05));
-    BOOST_TEST(path.total_cost().failures >= 10);
-    BOOST_TEST(problem.parameter() == path.next.parameter);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(natural_continuation_lands_on_a_target_before_the_fold) {
-  std::vector<int> corrections;
-  for (const Predictor predictor : {Predictor::constant, Predictor::secant, Predictor::tangent}) {
-    SmallProblem problem = cubic();
-    const auto path =
-        follow_natural(problem, cubic_start(), predictor, {.target = -2, .largest_step = 0.3});
-    BOOST_CHECK(path.end == PathEnd::target_reached);
-    BOOST_TEST(path.points.back().parameter == -2);
-    BOOST_TEST(path.next.state.value()[0] == -2, tolerance(1e-11));
-    corrections.push_back(0);
-    for (const PathPoint& point : path.points) corrections.back() += point.corrections;
-  }
-  BOOST_TEST(corrections[2] <= corrections[1]);
-  BOOST_TEST(corrections[1] < corrections[0]);
-}
-
-BOOST_AUTO_TEST_CASE(a_start_that_needs_no_correction_is_no_fold) {
-  // Nothing is factored there: the sign of det J is the one the start brings along, if any.
-  for (const int reference_sign : {0, 1, -1}) {
-    SmallProblem problem = cubic();
-    auto start = cubic_start();
-    start.reference_sign = reference_sign;
-    const auto path = follow_natural(problem, start, Predictor::secant, {.target = -2});
-    BOOST_CHECK(path.end == PathEnd::target_reached);
-    BOOST_TEST(path.points.front().corrections == 0);
-    BOOST_TEST(path.points.front().determinant_sign == reference_sign);
-    BOOST_TEST(path.points[1].is_fold_passed == (reference_sign == -1));
-    for (std::size_t i = 2; i < path.points.size(); ++i) BOOST_TEST(!path.points[i].is_fold_passed);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(arclength_goes_on_from_where_natural_continuation_stopped) {
   SmallProblem problem = cubic();
   const auto stuck = follow_natural(problem, cubic_start(), Predictor::tangent, {.target = 18});

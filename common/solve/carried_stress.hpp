@@ -23,8 +23,7 @@ struct WithStress : CompensatedVector {
     return WithStress(CompensatedVector::moved(step, direction), direction.stress);
   }
   /// Takes over the stress that an attempt to go on from this state has come to in vain: it is in
-  /// equilibrium, and nearer to what lies ahead. It saves the cylinder a sixth of its
-  /// factorisations (F = 0.054 on 80 around by eq. (12): 140, 164 without).
+  /// equilibrium, and nearer to what lies ahead.
   void learn_from(const WithStress& attempt) {
     if (attempt.value().allFinite()) stress = attempt.stress;
   }

@@ -78,25 +78,39 @@ io::Curve curve_of(const std::vector<Run>& runs, const std::string& mesh, const 
   return curve;
 }
 
-// A panel for each family of meshes and λr, with every law and what has no λr.
+// Every λr has a panel of its own, so that laws can be told apart; of a single law all share one.
+std::vector<std::vector<double>> panels_of(const std::vector<Run>& runs) {
+  const auto is_drawn = [&](const NamedMethod& method) {
+    return std::ranges::find(runs, labelled(method, drawn_lambda_r[0]), &Run::method) != runs.end();
+  };
+  if (std::ranges::count_if(newton_methods(drawn_lambda_r[0]), is_drawn) == 1)
+    return {{drawn_lambda_r.begin(), drawn_lambda_r.end()}};
+  std::vector<std::vector<double>> panels;
+  for (const double lambda_r : drawn_lambda_r) panels.push_back({lambda_r});
+  return panels;
+}
+
+// For each family of meshes, with every law and what has no λr.
 io::Figure front_figure(const oned::ShearScene& scene, const std::string& name,
                         const std::vector<Run>& runs) {
-  io::Figure figure{name,
-                    "L2 error against CPU time of one solve (best of several): every point is a "
-                    "mesh. The line is the Pareto front: nothing cheaper is as accurate.",
-                    {},
-                    2};
+  io::Figure figure{
+      name,
+      "L2 error against CPU time of one solve (best of several): every point is a "
+      "mesh. In the last panel every run, and their Pareto front: nothing cheaper is as "
+      "accurate.",
+      {},
+      2};
   for (const auto& order_case : scene.order_cases)
-    for (const double lambda_r : drawn_lambda_r) {
-      io::Panel panel{order_case.name + ", λr " + short_power(lambda_r),
-                      "CPU seconds",
-                      "L2 error",
-                      true,
-                      true,
-                      {}};
-      for (const NamedMethod& method : newton_methods(lambda_r))
-        panel.curves.push_back(
-            curve_of(runs, order_case.name, labelled(method, lambda_r), method.label));
+    for (const std::vector<double>& shared : panels_of(runs)) {
+      io::Panel panel{
+          scene.name + ", " + order_case.name, "CPU seconds", "L2 error", true, true, {}};
+      if (shared.size() == 1) panel.title += ", λr " + short_power(shared[0]);
+      for (const double lambda_r : shared)
+        for (const NamedMethod& method : newton_methods(lambda_r)) {
+          const std::string label = labelled(method, lambda_r);
+          panel.curves.push_back(
+              curve_of(runs, order_case.name, label, shared.size() == 1 ? method.label : label));
+        }
       const std::string without = reference_method().label;
       panel.curves.push_back(curve_of(runs, order_case.name, without, without));
       std::erase_if(panel.curves, [](const io::Curve& curve) { return curve.x.empty(); });
