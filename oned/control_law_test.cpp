@@ -8,6 +8,8 @@
 #include "oned/scenes.hpp"
 #include "oned/solver.hpp"
 
+BOOST_AUTO_TEST_SUITE(control_law_test)
+
 using namespace talus;
 using namespace talus::oned;
 using boost::test_tools::tolerance;
@@ -59,3 +61,5 @@ BOOST_AUTO_TEST_CASE(the_plane_is_the_same_under_the_control_law_above_its_creep
   const ShearScene chute = scene_of(Chute{}), slower = chute.under(rheology::BarkerGray{});
   BOOST_TEST(slower.exact_velocity(0) > 1.01 * chute.exact_velocity(0));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

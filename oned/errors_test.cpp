@@ -6,6 +6,8 @@
 
 #include "oned/scenes.hpp"
 
+BOOST_AUTO_TEST_SUITE(errors_test)
+
 using namespace talus;
 using namespace talus::oned;
 using boost::test_tools::tolerance;
@@ -141,3 +143,5 @@ BOOST_AUTO_TEST_CASE(rates_and_stresses_of_a_solved_scene_tend_to_the_exact_ones
   BOOST_TEST(std::log2(coarse.shear_rate.l2 / fine.shear_rate.l2) == 2, tolerance(0.05));
   BOOST_TEST(std::log2(coarse.stress.l2 / fine.stress.l2) > 1.9);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -13,6 +13,8 @@
 #include "oned/scenes.hpp"
 #include "oned/solver.hpp"
 
+BOOST_AUTO_TEST_SUITE(jacobian_test)
+
 using namespace talus;
 using namespace talus::oned;
 using solve::Verdict;
@@ -165,3 +167,5 @@ BOOST_AUTO_TEST_CASE(no_verdict_is_an_answer_of_its_own_and_no_pass) {
   }
   BOOST_TEST(answer({}).first == 1);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "oned/errors.hpp"
 #include "oned/solver.hpp"
 
+BOOST_AUTO_TEST_SUITE(scenes_test)
+
 using namespace talus;
 using namespace talus::oned;
 using boost::test_tools::tolerance;
@@ -229,3 +231,5 @@ BOOST_AUTO_TEST_CASE(a_yield_point_that_is_not_there_cannot_be_aligned_with) {
   BOOST_CHECK_THROW(boundaries(scene_of(Chute{}), {.elements = 1, .align = 0.0}), io::UserError);
   BOOST_CHECK_NO_THROW(boundaries(scene_of(Chute{}), {.elements = 2, .align = 0.0}));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

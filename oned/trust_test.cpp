@@ -7,6 +7,8 @@
 #include "oned/scenes.hpp"
 #include "oned/solver.hpp"
 
+BOOST_AUTO_TEST_SUITE(trust_test)
+
 using namespace talus;
 
 namespace {
@@ -89,3 +91,5 @@ BOOST_AUTO_TEST_CASE(a_small_residual_alone_is_far_from_the_solution) {
                                             solve::Precision::compensated);
   BOOST_TEST(left > 1e-2);  // what the rule is there for
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 //   bagnold --model plane --elements 20 --grading 2 --tangent primal-dual
 //   bagnold --model space --elements 10 --lambda-r 1e-6 --tolerance 1e-14 --plot
 //   bagnold --model plane --elements 5 --check-jacobian
+#include <CLI/CLI.hpp>
+
 #include "common/io/options.hpp"
 #include "oned/bagnold.hpp"
 #include "threed/unidirectional_program.hpp"

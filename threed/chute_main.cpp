@@ -10,6 +10,8 @@
 //   chute --model plane --elements 17 --align --lambda-r 1e-6 --plot
 //   chute --model space --elements 10 --penalty plain --precision plain --threads 2
 //   chute --model space --elements 3 --check-jacobian
+#include <CLI/CLI.hpp>
+
 #include "common/io/options.hpp"
 #include "oned/chute.hpp"
 #include "threed/unidirectional_program.hpp"

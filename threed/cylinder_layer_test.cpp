@@ -5,6 +5,8 @@
 
 #include "common/solve/continuation.hpp"
 
+BOOST_AUTO_TEST_SUITE(cylinder_layer_test)
+
 using namespace talus;
 
 namespace {
@@ -57,3 +59,5 @@ BOOST_AUTO_TEST_CASE(another_loading_is_another_flow) {
   BOOST_TEST(apart.velocity > 1e-9);
   BOOST_TEST(apart.pressure > 1e-9);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -16,6 +16,8 @@
 #include <iostream>
 #include <optional>
 
+#include <CLI/CLI.hpp>
+
 #include "common/mixed/mixed_jacobian.hpp"
 #include "common/program/summary.hpp"
 #include "common/scene/case.hpp"

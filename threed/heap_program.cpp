@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include "common/program/grading.hpp"
 #include "common/program/summary.hpp"
 #include "common/program/work.hpp"

@@ -6,6 +6,8 @@
 #include "common/mixed/extrusion.hpp"
 #include "threed/heap_report.hpp"
 
+BOOST_AUTO_TEST_SUITE(heap_test)
+
 using namespace talus;
 using namespace talus::threed;
 
@@ -164,3 +166,5 @@ BOOST_AUTO_TEST_CASE(the_grid_lists_hexahedra_of_27_nodes_with_all_fields) {
   for (const char* text : {"\n29\n", "velocity", "dynamic_pressure", "stress_over_yield_stress"})
     BOOST_TEST(vtu.find(text) != std::string::npos, text);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <iostream>
 
+#include <CLI/CLI.hpp>
+
 #include "common/io/options.hpp"
 #include "common/program/method_options.hpp"
 #include "common/program/penalty_options.hpp"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iostream>
 
+#include <CLI/CLI.hpp>
+
 #include "common/io/options.hpp"
 #include "common/program/model_choice.hpp"
 #include "common/program/summary.hpp"

@@ -2,8 +2,7 @@
 // rest, in all three models.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
+#include "common/io/cli.hpp"
 #include "common/program/method_options.hpp"
 #include "common/program/penalty_options.hpp"
 #include "common/scene/case.hpp"

@@ -6,6 +6,8 @@
 #include "oned/scenes.hpp"
 #include "threed/unidirectional_solve.hpp"
 
+BOOST_AUTO_TEST_SUITE(unidirectional_test)
+
 using namespace talus;
 
 namespace {
@@ -136,3 +138,5 @@ BOOST_AUTO_TEST_CASE(without_continuation_a_tangent_that_is_broken_leads_nowhere
   for (const auto& named : threed::check_unidirectional<3>(scene, across, options))
     BOOST_TEST(named.check.passed(), named.state);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -14,6 +14,8 @@
 #include <memory>
 #include <numbers>
 
+#include <CLI/CLI.hpp>
+
 #include "common/io/options.hpp"
 #include "common/mixed/mixed_jacobian.hpp"
 #include "common/program/method_options.hpp"

@@ -10,6 +10,8 @@
 
 #include "common/fem/mesh_tools.hpp"
 
+BOOST_AUTO_TEST_SUITE(cylinder_mesh_test)
+
 using namespace talus;
 using namespace talus::twod;
 using Eigen::Vector2d;
@@ -197,3 +199,5 @@ BOOST_AUTO_TEST_CASE(the_outlet_can_be_moved_in_without_a_change_above_it) {
   BOOST_TEST(mesh.elements.size() - shorter.elements.size() == 28U * 40);  // 0.25 wide and high
   BOOST_TEST(names_cover_all_outer_faces(shorter));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,6 +3,8 @@
 
 #include "twod/cylinder_test_problems.hpp"
 
+BOOST_AUTO_TEST_SUITE(cylinder_paths_test)
+
 using namespace talus;
 using namespace talus::twod;
 using State = CylinderFlow::State;
@@ -261,3 +263,5 @@ BOOST_AUTO_TEST_CASE(the_tangent_asked_for_is_the_one_that_creep_is_solved_with)
   for (const auto broken : {shear::TangentTerm::frozen, shear::TangentTerm::wrong_sign})
     BOOST_TEST(!solve::is_success(creep_with(broken).first.end));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

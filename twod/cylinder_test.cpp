@@ -7,6 +7,8 @@
 #include "twod/cylinder_report.hpp"
 #include "twod/cylinder_test_problems.hpp"
 
+BOOST_AUTO_TEST_SUITE(cylinder_test)
+
 using namespace talus;
 using namespace talus::twod;
 using State = CylinderFlow::State;
@@ -178,3 +180,5 @@ BOOST_AUTO_TEST_CASE(reports_keep_what_was_measured) {
   BOOST_TEST((0 < angles.front() && angles.front() < 3 && 177 < angles.back()));
   BOOST_TEST(angles.back() < 180);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(flow_rate_search_test)
+
 using namespace talus;
 using namespace talus::twod;
 
@@ -66,3 +68,5 @@ BOOST_AUTO_TEST_CASE(a_flow_rate_out_of_reach_is_an_error_with_a_named_end) {
   BOOST_CHECK_EXCEPTION(solve_for_flow_rate(10, section, {4, 6}, space, hasty), FlowRateError,
                         is_stagnation);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 
 #include "twod/flow_rate_search.hpp"
 
+BOOST_AUTO_TEST_SUITE(section_nested_test)
+
 using namespace talus;
 using namespace talus::twod;
 
@@ -98,3 +100,5 @@ BOOST_AUTO_TEST_CASE(a_search_for_a_flow_rate_may_set_out_on_nested_meshes) {
       solve_for_flow_rate(39.71, section, {32, 32}, space, newton_options(1e-5), Start::nested);
   BOOST_TEST(flow_rate(solution, space) == 39.71, boost::test_tools::tolerance(1e-8));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

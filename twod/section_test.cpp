@@ -6,6 +6,8 @@
 #include "common/shear/shear_jacobian.hpp"
 #include "twod/section_report.hpp"
 
+BOOST_AUTO_TEST_SUITE(section_test)
+
 using namespace talus;
 using namespace talus::twod;
 
@@ -260,3 +262,5 @@ BOOST_AUTO_TEST_CASE(the_grid_lists_every_cell_with_its_nine_nodes_and_all_field
                            "inertial_number", "</VTKFile>"})
     BOOST_TEST(vtu.find(text) != std::string::npos, text);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

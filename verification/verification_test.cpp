@@ -15,6 +15,8 @@
 #include "verification/stability/line_answer.hpp"
 #include "verification/stability/model_maps.hpp"
 
+BOOST_AUTO_TEST_SUITE(verification_test)
+
 using namespace talus;
 using verification::Chapter;
 
@@ -248,3 +250,5 @@ BOOST_AUTO_TEST_CASE(every_law_of_the_registry_is_in_the_work_of_every_scene_and
     }
   BOOST_TEST(models.size() == 12U);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

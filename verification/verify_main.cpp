@@ -8,6 +8,8 @@
 //   verify --merge results/parts
 #include <iostream>
 
+#include <CLI/CLI.hpp>
+
 #include "common/io/options.hpp"
 #include "common/io/progress.hpp"
 #include "common/io/shell.hpp"

@@ -7,6 +7,8 @@
 #include "common/fem/quadrature.hpp"
 #include "common/testing/difference.hpp"
 
+BOOST_AUTO_TEST_SUITE(fem_test)
+
 using namespace talus;
 using namespace talus::fem;
 using boost::test_tools::tolerance;
@@ -169,3 +171,5 @@ BOOST_AUTO_TEST_CASE(a_line_that_cannot_be_aligned_is_refused) {
   BOOST_TEST(can_align(14, 2, 13, 0));
   BOOST_TEST(can_align(14, 40, 13, 0.5));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

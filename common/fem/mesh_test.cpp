@@ -9,6 +9,8 @@
 #include "common/fem/mesh_tools.hpp"
 #include "common/mixed/layer.hpp"
 
+BOOST_AUTO_TEST_SUITE(mesh_test)
+
 using namespace talus;
 using namespace talus::fem;
 using Eigen::Vector2d;
@@ -279,3 +281,5 @@ BOOST_AUTO_TEST_CASE(a_place_in_a_box_is_found_again) {
   BOOST_TEST(beyond.element == 1U);
   BOOST_TEST((beyond.reference - Vector2d(1.5, -1)).norm() < 1e-14);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <set>
 
+#include <CLI/CLI.hpp>
+
 #include "common/io/result_folder.hpp"
 
 namespace talus::io {

@@ -4,9 +4,12 @@
 #include <numbers>
 #include <sstream>
 
+#include <CLI/CLI.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include "common/io/options.hpp"
+
+BOOST_AUTO_TEST_SUITE(command_line_test)
 
 using namespace talus::io;
 
@@ -197,3 +200,5 @@ BOOST_AUTO_TEST_CASE(help_says_what_every_option_takes_and_comes_before_what_fol
                                  "--loads FLOAT=1,2", "--method NAME=newton"})
     BOOST_TEST(contains(captured.str(), text), text);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

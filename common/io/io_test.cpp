@@ -5,12 +5,15 @@
 #include <limits>
 #include <sstream>
 
+#include <CLI/CLI.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include "common/io/figure.hpp"
 #include "common/io/options.hpp"
 #include "common/io/table.hpp"
 #include "common/testing/temporary_folder.hpp"
+
+BOOST_AUTO_TEST_SUITE(io_test)
 
 using namespace talus::io;
 using talus::testing::contents_of;
@@ -220,3 +223,5 @@ BOOST_AUTO_TEST_CASE(programs_pass_on_the_body_s_code_and_report_what_it_throws)
   BOOST_TEST(other.code == 1);
   BOOST_TEST(other.message == "program: broken\n");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,7 @@
 #include <optional>
 #include <type_traits>
 
+#include <CLI/CLI.hpp>
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <unistd.h>

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "common/io/cli.hpp"
 #include "common/io/command_line.hpp"
 #include "common/io/result_folder.hpp"
 

@@ -11,6 +11,8 @@
 #include "common/io/figure.hpp"
 #include "common/testing/temporary_folder.hpp"
 
+BOOST_AUTO_TEST_SUITE(result_folder_test)
+
 using namespace talus::io;
 using talus::testing::contents_of;
 using talus::testing::TemporaryFolder;
@@ -170,3 +172,5 @@ BOOST_AUTO_TEST_CASE(a_picture_gets_its_name_when_it_is_whole) {
   const std::set<std::string> all = {"asked", "figure.dat", "figure.gp", "figure.svg", "seen"};
   BOOST_TEST(left == all, boost::test_tools::per_element());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(vtu_test)
+
 using namespace talus::io;
 
 namespace {
@@ -155,3 +157,5 @@ BOOST_AUTO_TEST_CASE(a_grid_of_the_size_of_the_cylinder_s_is_written_in_a_second
   BOOST_TEST_MESSAGE("wrote " << xml.size() << " bytes in " << elapsed << " s");
   BOOST_TEST(elapsed < 1);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

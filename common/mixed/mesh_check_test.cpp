@@ -9,6 +9,8 @@
 #include "common/mixed/mixed_test_problems.hpp"
 #include "common/shear/cross_section.hpp"
 
+BOOST_AUTO_TEST_SUITE(mesh_check_test)
+
 using namespace talus;
 using namespace talus::fem;
 
@@ -122,3 +124,5 @@ BOOST_AUTO_TEST_CASE(no_space_takes_a_mesh_inside_out) {
   BOOST_CHECK_NO_THROW(mixed::MixedSpace<3>(box(), walls(box())));
   BOOST_CHECK_THROW(mixed::MixedSpace<3>(turned(box()), walls(box())), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

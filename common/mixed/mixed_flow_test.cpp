@@ -9,6 +9,7 @@
 #include "common/mixed/mixed_jacobian.hpp"
 #include "common/mixed/mixed_test_problems.hpp"
 
+BOOST_AUTO_TEST_SUITE(mixed_flow_test)
 using namespace talus;
 using namespace talus::mixed;
 
@@ -295,3 +296,4 @@ BOOST_AUTO_TEST_CASE(condensing_changes_nothing_with_a_carried_stress) {
   BOOST_TEST(error(MixedFlow<3>(space3, rheology, test_load<3>(1)), stress3,
                    state_of(space3, flowing)) < 1e-9);
 }
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "common/mixed/mixed_test_problems.hpp"
 #include "common/solve/jacobian_entries.hpp"
 
+BOOST_AUTO_TEST_SUITE(mixed_jacobian_test)
+
 using namespace talus;
 using namespace talus::mixed;
 
@@ -255,3 +257,5 @@ BOOST_AUTO_TEST_CASE(half_of_the_variation_of_the_advective_term_in_eq_13_is_not
     BOOST_TEST(!solve::check_jacobian(jacobian, scale).passed());
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

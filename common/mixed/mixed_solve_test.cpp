@@ -6,11 +6,11 @@
 #include "common/solve/memory.hpp"
 #include "common/testing/allocation_limit.hpp"
 
+BOOST_AUTO_TEST_SUITE(mixed_solve_test)
 using namespace talus;
 using namespace talus::mixed;
 
 namespace {
-
 const rheology::Rheology eq12{{}, rheology::ChauchatMedale{}, 1e-2};
 constexpr solve::NewtonOptions newton_options{.line_search = solve::LineSearch::residual_norm};
 
@@ -296,3 +296,4 @@ BOOST_AUTO_TEST_CASE(lack_of_memory_is_no_end_of_newton_but_thrown) {
   const talus::testing::AllocationLimit limit(50000);
   BOOST_CHECK_THROW(solve::newton(flow, state, newton_options), solve::OutOfMemory);
 }
+BOOST_AUTO_TEST_SUITE_END()

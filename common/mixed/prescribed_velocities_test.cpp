@@ -10,6 +10,8 @@
 
 #include "common/mixed/mixed_space.hpp"
 
+BOOST_AUTO_TEST_SUITE(prescribed_velocities_test)
+
 using namespace talus;
 using namespace talus::mixed;
 
@@ -115,3 +117,5 @@ BOOST_AUTO_TEST_CASE(every_node_of_a_boundary_and_no_other_is_prescribed) {
     BOOST_TEST((x == 0 || x == 1));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

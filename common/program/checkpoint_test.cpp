@@ -9,6 +9,8 @@
 #include <boost/test/unit_test.hpp>
 #include <unistd.h>
 
+BOOST_AUTO_TEST_SUITE(checkpoint_test)
+
 using namespace talus;
 using State = solve::CompensatedVector;
 
@@ -108,3 +110,5 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_with_a_number_that_is_not_finite_is_refused) {
       check_refused(results, contents_of(folder.path / "state"));
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

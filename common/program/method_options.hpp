@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "common/io/cli.hpp"
 #include "common/io/command_line.hpp"
 #include "common/shear/shear_solver.hpp"
 

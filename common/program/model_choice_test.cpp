@@ -4,6 +4,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(model_choice_test)
+
 using namespace talus::program;
 
 BOOST_AUTO_TEST_CASE(digits_are_those_in_which_two_answers_agree) {
@@ -38,3 +40,5 @@ BOOST_AUTO_TEST_CASE(a_hint_is_one_line_that_says_what_to_ask_for) {
   BOOST_TEST(hint.find("--model section") != std::string::npos);
   BOOST_TEST(hint.find('\n') == std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,7 @@
 #include "common/program/penalty_options.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include "common/io/options.hpp"
 #include "common/io/table.hpp"
 

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "common/io/cli.hpp"
 #include "common/mixed/mixed_flow.hpp"
 
 namespace talus::program {

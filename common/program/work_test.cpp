@@ -12,6 +12,8 @@
 #include "common/solve/memory.hpp"
 #include "common/solve/nested_dissection.hpp"
 
+BOOST_AUTO_TEST_SUITE(work_test)
+
 using namespace talus;
 using namespace talus::program;
 
@@ -134,3 +136,5 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_is_refused_with_the_largest_size_that_wou
   BOOST_TEST(says(outcome_of(1e30, 10).refusal, "nothing of this kind fits"));
   BOOST_TEST(says(outcome_of(std::nan(""), 10).refusal, "needs about"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

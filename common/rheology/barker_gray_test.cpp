@@ -8,6 +8,8 @@
 #include "common/rheology/rheology.hpp"
 #include "common/testing/difference.hpp"
 
+BOOST_AUTO_TEST_SUITE(barker_gray_test)
+
 using namespace talus;
 using namespace talus::rheology;
 using boost::test_tools::tolerance;
@@ -154,3 +156,5 @@ BOOST_AUTO_TEST_CASE(only_what_has_a_yield_stress_is_ever_at_rest) {
   BOOST_CHECK(regime_under(control, 0.7) == Regime::no_steady_state);
   BOOST_CHECK(regime_under(Rheology{}, 0.3) == Regime::at_rest);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 
 #include "common/testing/difference.hpp"
 
+BOOST_AUTO_TEST_SUITE(friction_law_test)
+
 using namespace talus;
 using boost::test_tools::tolerance;
 using rheology::FrictionLaw;
@@ -176,3 +178,5 @@ BOOST_AUTO_TEST_CASE(without_pressure_inertial_number_friction_and_posedness_hav
   BOOST_TEST(law.friction(unbounded) == law.mu_2());
   BOOST_TEST(law.well_posedness(unbounded) == law.well_posedness(1e12), tolerance(1e-9));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

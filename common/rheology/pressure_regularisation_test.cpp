@@ -7,6 +7,8 @@
 #include "common/rheology/rheology.hpp"
 #include "common/testing/difference.hpp"
 
+BOOST_AUTO_TEST_SUITE(pressure_regularisation_test)
+
 using namespace talus;
 using namespace talus::rheology;
 using boost::test_tools::tolerance;
@@ -126,3 +128,5 @@ BOOST_AUTO_TEST_CASE(regimes_have_names_of_their_own) {
   BOOST_TEST(name_of(Regime::flowing) == "flowing");
   BOOST_TEST(name_of(Regime::no_steady_state) == "no_steady_state");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

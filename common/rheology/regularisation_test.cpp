@@ -8,6 +8,8 @@
 #include "common/rheology/rheology.hpp"
 #include "common/testing/difference.hpp"
 
+BOOST_AUTO_TEST_SUITE(regularisation_test)
+
 using namespace talus;
 using namespace talus::rheology;
 using boost::test_tools::tolerance;
@@ -205,3 +207,5 @@ BOOST_AUTO_TEST_CASE(an_unknown_name_finds_nothing) {
   BOOST_TEST(!regularisation_named("foo").has_value());
   BOOST_TEST(!regularisation_named("").has_value());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 #include <iostream>
 #include <set>
 
+#include <CLI/CLI.hpp>
+
 #include "common/io/checksum.hpp"
 #include "common/io/options.hpp"
 #include "common/io/shell.hpp"

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include <CLI/CLI.hpp>
+
 namespace talus::scene {
 namespace {
 

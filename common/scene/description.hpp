@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
+
+#include "common/io/cli.hpp"
 
 namespace talus::scene {
 

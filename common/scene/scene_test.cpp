@@ -1,12 +1,15 @@
 // Is a case what decides it, whatever the words, and is what it is measured against what was asked?
 #include <fstream>
 
+#include <CLI/CLI.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include "common/io/options.hpp"
 #include "common/scene/case.hpp"
 #include "common/scene/reference.hpp"
 #include "common/testing/temporary_folder.hpp"
+
+BOOST_AUTO_TEST_SUITE(scene_test)
 
 using namespace talus;
 using nlohmann::json;
@@ -174,3 +177,5 @@ BOOST_AUTO_TEST_CASE(a_reference_that_is_none_is_refused_by_name) {
   put(R"({"status": "converged", "results": {"flow": 1}})");
   BOOST_TEST(scene::reference_values(file).at("flow") == 1);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "common/shear/shear_jacobian.hpp"
 #include "common/shear/shear_test_problems.hpp"
 
+BOOST_AUTO_TEST_SUITE(interior_point_test)
+
 using namespace talus;
 using namespace talus::shear;
 
@@ -212,3 +214,5 @@ BOOST_AUTO_TEST_CASE(the_factorisation_limit_ends_in_stagnation_inside_the_cones
     BOOST_TEST(state.stress[k].norm() < state.dual_bound[k]);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -15,13 +15,12 @@
 #include "common/shear/shear_test_problems.hpp"
 #include "common/testing/difference.hpp"
 
+BOOST_AUTO_TEST_SUITE(shear_flow_test)
 using namespace talus;
 using namespace talus::shear;
 using boost::test_tools::tolerance;
 using State = ShearFlow<1>::State;
-
 namespace {
-
 using Space = CrossSection<1>;
 using Tangents = std::vector<Space::Tangent>;
 
@@ -297,3 +296,4 @@ BOOST_AUTO_TEST_CASE(the_stress_is_that_of_the_rheology_with_every_pressure_it_c
       }
   BOOST_TEST(below_the_floor > 0);
 }
+BOOST_AUTO_TEST_SUITE_END()

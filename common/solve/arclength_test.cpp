@@ -10,6 +10,8 @@
 #include "common/solve/natural_continuation.hpp"
 #include "common/solve/test_paths.hpp"
 
+BOOST_AUTO_TEST_SUITE(arclength_test)
+
 using namespace talus::solve;
 using boost::test_tools::tolerance;
 using Eigen::Index;
@@ -205,3 +207,5 @@ BOOST_AUTO_TEST_CASE(a_target_between_two_folds_is_met_on_the_branch_the_path_is
   path = follow_arclength(problem, path.next, {.target = 0});
   BOOST_TEST(path.next.state.value()[0] == std::sqrt(3.), tolerance(1e-11));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -2,6 +2,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(compensated_vector_test)
+
 using namespace talus::solve;
 
 namespace {
@@ -97,3 +99,5 @@ BOOST_AUTO_TEST_CASE(zero_and_set_forget_the_correction) {
   BOOST_TEST(static_cast<double>(v.difference(0, 1)) == 0);
   BOOST_TEST(v.value().norm() == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

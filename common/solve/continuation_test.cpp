@@ -6,6 +6,8 @@
 
 #include "common/solve/test_problems.hpp"
 
+BOOST_AUTO_TEST_SUITE(continuation_test)
+
 using namespace talus::solve;
 using boost::test_tools::tolerance;
 
@@ -151,3 +153,5 @@ BOOST_AUTO_TEST_CASE(nothing_is_tried_above_the_first_lambda_r_and_a_failure_the
   BOOST_TEST(problem.rheology().lambda_r == 1e-3);
   BOOST_TEST(at_first.newton.history.size() == at_first.path.back().iterations + 1u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(end_test)
+
 using namespace talus::solve;
 
 BOOST_AUTO_TEST_CASE(ends_have_names_and_failures_have_advice) {
@@ -16,3 +18,5 @@ BOOST_AUTO_TEST_CASE(ends_have_names_and_failures_have_advice) {
   }
   BOOST_TEST(names.size() == std::size(all_ends));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

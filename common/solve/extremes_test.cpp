@@ -5,6 +5,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(extremes_test)
+
 using namespace talus::solve;
 
 BOOST_AUTO_TEST_CASE(extremes_of_numbers_are_the_usual_ones) {
@@ -26,3 +28,5 @@ BOOST_AUTO_TEST_CASE(a_nan_is_kept_on_either_side_and_by_what_comes_after) {
   for (const auto& numbers : {std::initializer_list<double>{nan, 1, 2}, {1, nan, 2}, {1, 2, nan}})
     BOOST_TEST(std::isnan(nan_max(numbers)));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

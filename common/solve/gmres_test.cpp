@@ -5,6 +5,8 @@
 
 #include "common/solve/factor_lag.hpp"
 
+BOOST_AUTO_TEST_SUITE(gmres_test)
+
 using namespace talus::solve;
 
 namespace {
@@ -87,3 +89,5 @@ BOOST_AUTO_TEST_CASE(factors_are_due_when_a_solve_costs_more_than_the_average) {
   lag.factored(30);
   BOOST_TEST(lag.budget() == 30);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(jacobian_check_test)
+
 using namespace talus::solve;
 
 namespace {
@@ -260,3 +262,5 @@ BOOST_AUTO_TEST_CASE(a_kink_next_to_the_state_is_no_error_of_the_derivative) {
       BOOST_CHECK(check_jacobian(problem_of(kinked, factor * right)).verdict() == Verdict::wrong);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

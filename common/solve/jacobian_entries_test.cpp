@@ -4,6 +4,8 @@
 
 #include "common/solve/jacobian_check.hpp"
 
+BOOST_AUTO_TEST_SUITE(jacobian_entries_test)
+
 using namespace talus::solve;
 
 BOOST_AUTO_TEST_CASE(columns_that_share_no_row_are_differenced_together) {
@@ -49,3 +51,5 @@ BOOST_AUTO_TEST_CASE(columns_that_share_no_row_are_differenced_together) {
   BOOST_TEST(check.entries.row == 0);
   BOOST_TEST(check.entries.column == n - 1);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

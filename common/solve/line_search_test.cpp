@@ -5,6 +5,8 @@
 
 #include "common/solve/newton.hpp"
 
+BOOST_AUTO_TEST_SUITE(line_search_test)
+
 using namespace talus::solve;
 
 BOOST_AUTO_TEST_CASE(the_search_lowers_smooth_energies) {
@@ -50,3 +52,5 @@ BOOST_AUTO_TEST_CASE(the_search_on_the_norm_halves_and_asks_for_a_decrease) {
                  1, [](double t) { return t > 1e-3 ? 2. : 0.; }, 0.1)
                  .step == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

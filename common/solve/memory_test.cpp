@@ -9,6 +9,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+BOOST_AUTO_TEST_SUITE(memory_test)
+
 using namespace talus::solve;
 
 namespace {
@@ -82,3 +84,5 @@ BOOST_AUTO_TEST_CASE(gigabytes_have_two_digits) {
   BOOST_TEST(in_gigabytes(0.126e9) == "0.13 GB");
   BOOST_TEST(in_gigabytes(0) == "0.0000 GB");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "common/solve/carried_stress.hpp"
 #include "common/solve/test_paths.hpp"
 
+BOOST_AUTO_TEST_SUITE(natural_continuation_test)
+
 using namespace talus::solve;
 using boost::test_tools::tolerance;
 using Eigen::VectorXd;
@@ -103,3 +105,5 @@ BOOST_AUTO_TEST_CASE(a_start_that_needs_no_correction_is_no_fold) {
     for (std::size_t i = 2; i < path.points.size(); ++i) BOOST_TEST(!path.points[i].is_fold_passed);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

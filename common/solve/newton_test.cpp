@@ -7,6 +7,8 @@
 
 #include "common/solve/test_problems.hpp"
 
+BOOST_AUTO_TEST_SUITE(newton_test)
+
 using namespace talus::solve;
 using boost::test_tools::tolerance;
 
@@ -290,3 +292,5 @@ BOOST_AUTO_TEST_CASE(halving_the_step_until_the_residual_falls_converges_where_f
     BOOST_TEST(summary.history[i].residual < summary.history[i - 1].residual);
   BOOST_TEST(summary.history.front().step == std::exp2(1 - summary.history.front().evaluations));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

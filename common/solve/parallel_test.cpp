@@ -7,6 +7,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(parallel_test)
+
 using namespace talus::solve;
 
 namespace {
@@ -62,3 +64,5 @@ BOOST_AUTO_TEST_CASE(there_is_always_one_thread) {
   const Threads threads(0);
   BOOST_TEST(talus::solve::threads() == 1);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 
 #include "common/solve/newton.hpp"
 
+BOOST_AUTO_TEST_SUITE(residual_test)
+
 using namespace talus::solve;
 using boost::test_tools::tolerance;
 
@@ -31,3 +33,5 @@ BOOST_AUTO_TEST_CASE(a_nan_comes_through_in_whatever_block) {
       BOOST_TEST(!residual.is_round_off());
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "common/solve/memory.hpp"
 #include "common/testing/allocation_limit.hpp"
 
+BOOST_AUTO_TEST_SUITE(sparse_cholesky_test)
+
 using namespace talus::solve;
 
 namespace {
@@ -83,3 +85,5 @@ BOOST_AUTO_TEST_CASE(lack_of_memory_is_not_taken_for_an_indefinite_matrix) {
   BOOST_TEST(cholesky.factor(matrix));  // once there is memory again
   BOOST_TEST(distance_to_dense_solution(cholesky, matrix) < 1e-12);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include <omp.h>
 #include <unistd.h>
 
+BOOST_AUTO_TEST_SUITE(sparse_libraries_test)
+
 // Of OpenBLAS; null with any other BLAS.
 extern "C" __attribute__((weak)) int openblas_get_num_threads();
 extern "C" __attribute__((weak)) void openblas_set_num_threads(int);
@@ -63,3 +65,5 @@ BOOST_AUTO_TEST_CASE(a_factorisation_that_fails_prints_nothing) {
   BOOST_TEST(lseek(fileno(captured), 0, SEEK_END) == 0);
   std::fclose(captured);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

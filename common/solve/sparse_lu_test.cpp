@@ -11,6 +11,8 @@
 #include "common/solve/memory.hpp"
 #include "common/testing/allocation_limit.hpp"
 
+BOOST_AUTO_TEST_SUITE(sparse_lu_test)
+
 using namespace talus::solve;
 using boost::test_tools::tolerance;
 
@@ -184,3 +186,5 @@ BOOST_AUTO_TEST_CASE(a_right_hand_side_out_of_range_is_not_solved) {
   b[2] = std::nan("");
   BOOST_TEST(!lu.solve(b, x));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 #include <boost/test/unit_test.hpp>
 #include <unistd.h>
 
+BOOST_AUTO_TEST_SUITE(stopwatch_test)
+
 // On a busy machine a wait may cost CPU time too, and more of it: the least of several counts.
 BOOST_AUTO_TEST_CASE(the_stopwatch_counts_work_and_not_waiting) {
   double least_share = 1;
@@ -21,3 +23,5 @@ BOOST_AUTO_TEST_CASE(the_stopwatch_counts_work_and_not_waiting) {
   for (int i = 0; i < 1000000; ++i) sum = sum + std::sqrt(i);
   BOOST_TEST(watch.seconds() > 1e-4);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

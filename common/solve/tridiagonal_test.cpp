@@ -5,6 +5,8 @@
 #include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(tridiagonal_test)
+
 using namespace talus::solve;
 
 namespace {
@@ -81,3 +83,5 @@ BOOST_AUTO_TEST_CASE(a_zero_pivot_is_reported) {
   const TridiagonalMatrix one{Eigen::VectorXd::Zero(1), Eigen::VectorXd(0)};
   BOOST_TEST(!solve_tridiagonal(one, Eigen::VectorXd::Ones(1), x));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

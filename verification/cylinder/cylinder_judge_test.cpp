@@ -8,6 +8,8 @@
 #include "verification/cylinder/cylinder_parts.hpp"
 #include "verification/stability/cylinder_atlas.hpp"
 
+BOOST_AUTO_TEST_SUITE(cylinder_judge_test)
+
 using namespace talus;
 using namespace talus::verification;
 using twod::Continuation;
@@ -249,3 +251,5 @@ BOOST_AUTO_TEST_CASE(a_penalty_that_does_not_arrive_or_moves_the_drag_is_told) {
   fails(judged(judge_penalties, all_rest), told, "all at rest");
   fails(judged(judge_penalties, PenaltyPaths{control, right, {}}), told, "none tried");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <iostream>
 
+#include <CLI/CLI.hpp>
+
 #include "common/io/options.hpp"
 #include "verification/fuzz/campaign.hpp"
 

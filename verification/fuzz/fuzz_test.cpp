@@ -9,6 +9,8 @@
 #include "verification/fuzz/campaign.hpp"
 #include "verification/fuzz/folder.hpp"
 
+BOOST_AUTO_TEST_SUITE(fuzz_test)
+
 using namespace talus;
 namespace fs = std::filesystem;
 
@@ -190,3 +192,5 @@ BOOST_AUTO_TEST_CASE(a_disk_two_runs_and_a_gnuplot_that_go_unnoticed_are_told) {
   check_that_it_tells("neighbours", 1, all, {{"$real \"$@\" 2>&-; exit 0", {"both ran"}}});
   check_that_it_tells("gnuplot", 1, all, {{AFTER("touch results/$name/x.png"), {"and there are"}}});
 }
+
+BOOST_AUTO_TEST_SUITE_END()

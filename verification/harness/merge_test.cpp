@@ -13,6 +13,8 @@
 
 #include "verification/harness/runner.hpp"
 
+BOOST_AUTO_TEST_SUITE(merge_test)
+
 using namespace talus;
 using verification::Chapter;
 using verification::Context;
@@ -166,3 +168,5 @@ BOOST_FIXTURE_TEST_CASE(what_would_be_mistaken_for_one_run_is_refused, Folder) {
   BOOST_TEST(verification::find_parts(studies(), {path / "parts/c"}).is_full);
   BOOST_TEST(!verification::find_parts(studies(), {path / "parts/a"}).is_full);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -14,6 +14,8 @@
 
 #include "verification/harness/chapter_file.hpp"
 
+BOOST_AUTO_TEST_SUITE(runner_test)
+
 using namespace talus;
 using verification::Chapter;
 using verification::Context;
@@ -191,3 +193,5 @@ BOOST_AUTO_TEST_CASE(the_expected_time_is_that_of_the_schedule) {
   BOOST_TEST(verification::expected_minutes(studies, {.full = true, .jobs = 2}) == 50,
              tolerance(1e-12));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 //   study sweep heap --angle 0.37:0.5:4 --elements 7x10 --quantity flow_rate,depth_yield
 #include <iostream>
 
+#include <CLI/CLI.hpp>
+
 #include "common/io/options.hpp"
 #include "common/io/progress.hpp"
 #include "common/io/shell.hpp"

@@ -8,6 +8,8 @@
 #include "verification/study/kinds.hpp"
 #include "verification/study/option_values.hpp"
 
+BOOST_AUTO_TEST_SUITE(study_test)
+
 using namespace talus::study;
 using talus::io::UserError;
 using Texts = std::vector<std::string>;
@@ -208,3 +210,5 @@ BOOST_AUTO_TEST_CASE(a_ladder_says_which_model_will_do_and_nothing_of_one_that_f
   BOOST_TEST(sentence(1.1).find("use space") != std::string::npos);
   BOOST_TEST(sentence(not_a_number).find("no verdict") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
