@@ -5,10 +5,8 @@
 #include <ostream>
 #include <thread>
 
-#include <stdlib.h>
-
 #include "common/io/progress.hpp"
-#include "common/io/result_folder.hpp"
+#include "common/testing/temporary_folder.hpp"
 
 namespace talus::fuzz {
 namespace {
@@ -16,26 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 std::atomic<bool> is_interrupted = false;
-
-// Removed with all that is in it.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "talus_fuzz_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw io::UserError("no folder for the fuzz in " + name);
-    path_ = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 struct Task {
   const Kind* kind;
@@ -66,7 +44,7 @@ io::Table Findings::table() const {
 }
 
 Findings campaign(const CampaignOptions& options, const fs::path& folder, std::ostream& out) {
-  const Scratch scratch;
+  const testing::TemporaryFolder scratch;
   const Programs programs(folder, scratch.path(), options.time_limit);
   const std::vector<Task> tasks = tasks_of(options);
   Findings findings;

@@ -1,0 +1,130 @@
+#include "verification/mutants/copy.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "common/io/checksum.hpp"
+#include "common/io/result_folder.hpp"
+#include "common/testing/temporary_folder.hpp"
+#include "verification/harness/process.hpp"
+#include "verification/mutants/instrument.hpp"
+#include "verification/mutants/workers.hpp"
+
+namespace talus::mutants {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::contents_of;
+
+constexpr double hours = 3600;
+
+void write_if_changed(const fs::path& file, const std::string& contents) {
+  if (fs::exists(file) && contents_of(file) == contents) return;
+  io::write_file("--copy", file, contents);
+}
+
+// Relative to the tree; no builds, no results.
+std::vector<fs::path> sources(const fs::path& tree) {
+  std::vector<fs::path> files;
+  for (const char* file : {"CMakeLists.txt", "CMakePresets.json", "run", "test", "README.md"})
+    if (fs::exists(tree / file)) files.emplace_back(file);
+  for (const char* folder : {"common", "oned", "twod", "threed", "verification", "docs"})
+    if (fs::is_directory(tree / folder))
+      for (const auto& entry : fs::recursive_directory_iterator(tree / folder))
+        if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), tree));
+  std::ranges::sort(files);
+  return files;
+}
+
+std::string first_error(const std::string& log) {
+  std::istringstream lines(log);
+  for (std::string line; std::getline(lines, line);)
+    if (line.find("error:") != std::string::npos || line.find("Error") != std::string::npos)
+      return line;
+  return log.substr(log.size() - std::min<std::size_t>(log.size(), 400));
+}
+
+void run_or_refuse(const fs::path& folder, const std::vector<std::string>& arguments) {
+  const process::Outcome outcome =
+      process::run({"/usr/bin/env", arguments, folder, {}, {}, false, 3 * hours, 12 * hours});
+  if (!outcome.is_success())
+    throw io::UserError("the copy of the mutants does not build: " +
+                        first_error(outcome.out + outcome.err));
+}
+
+std::set<int> numbers_in(const fs::path& file) {
+  std::ifstream in(file);
+  std::set<int> numbers;
+  for (int number; in >> number;) numbers.insert(number);
+  return numbers;
+}
+
+}  // namespace
+
+void make_copy(const fs::path& tree, const fs::path& copy, const std::vector<Mutant>& mutants) {
+  std::map<fs::path, std::vector<Numbered>> of_file;
+  for (std::size_t i = 0; i < mutants.size(); ++i)
+    of_file[mutants[i].file].push_back({static_cast<int>(i), &mutants[i]});
+  const std::vector<fs::path> files = sources(tree);
+  for (const auto& [file, here] : of_file)
+    if (std::ranges::find(files, file) == files.end())
+      throw io::UserError(here.front().mutant->name + ": there is no " + file.string());
+  for (const fs::path& file : files) {
+    const std::string text = contents_of(tree / file);
+    const auto here = of_file.find(file);
+    write_if_changed(copy / file, here == of_file.end() ? text : instrumented(text, here->second));
+    fs::permissions(copy / file, fs::status(tree / file).permissions());
+  }
+  write_if_changed(copy / choice_header_name, choice_header());
+}
+
+void build(const fs::path& copy) {
+  // No warnings: a mutant may leave a variable unused.
+  run_or_refuse(copy, {"cmake", "--preset", "release", "-DCMAKE_CXX_FLAGS=-w"});
+  run_or_refuse(copy, {"cmake", "--build", "--preset", "release"});
+}
+
+std::vector<Verifier> verifiers(const fs::path& copy, int jobs) {
+  const process::Outcome listed =
+      process::run({"/usr/bin/env", {"ctest", "--show-only=json-v1"}, copy / "build/release"});
+  std::vector<Verifier> all;
+  const nlohmann::json listing = nlohmann::json::parse(listed.out);
+  for (const nlohmann::json& test : listing.at("tests")) {
+    Verifier verifier{test.at("name"), test.at("command"), copy / "build/release"};
+    for (const nlohmann::json& property : test.at("properties"))
+      if (property.at("name") == "WORKING_DIRECTORY")
+        verifier.folder = property.at("value").get<std::string>();
+    // These look at the scripts and at the compiler.
+    if (verifier.name != "run_test" && verifier.name != "incomplete_law_test")
+      all.push_back(verifier);
+  }
+  fs::create_directories(copy / "reached");
+  std::vector<std::string> failures(all.size());
+  in_parallel(jobs, all.size(), [&](std::size_t i) {
+    const fs::path reached = copy / "reached" / all[i].name;
+    fs::remove(reached);
+    const Run outcome = run_verifier(all[i], {"TALUS_MUTANTS_REACHED=" + reached.string()}, hours);
+    if (!outcome.outcome.is_success()) failures[i] = all[i].name;
+    all[i].seconds = outcome.seconds;
+    all[i].reached = numbers_in(reached);
+  });
+  for (const std::string& name : failures)
+    if (!name.empty())
+      throw io::UserError("without any mutant " + name + " fails in " + copy.string());
+  std::erase_if(all, [](const Verifier& each) { return each.reached.empty(); });
+  std::ranges::stable_sort(all, {}, &Verifier::seconds);
+  return all;
+}
+
+std::string fingerprint(const fs::path& copy) {
+  std::string all;
+  for (const fs::path& file : sources(copy))
+    all += file.string() + io::checksum(contents_of(copy / file));
+  return io::checksum(all);
+}
+
+}  // namespace talus::mutants

@@ -1,0 +1,136 @@
+// Mutants: how many one-line mistakes in the product code do the tests and studies notice?
+//
+// Sample runs (from the root of the source tree):
+//   mutants --list
+//   mutants --only law/ --output results/mutants
+//   mutants --pursue both
+//   mutants --propose common/rheology/friction_law.cpp --count 5 --seed 2
+#include <iostream>
+#include <regex>
+
+#include <CLI/CLI.hpp>
+
+#include "common/io/options.hpp"
+#include "common/io/progress.hpp"
+#include "common/io/result_folder.hpp"
+#include "verification/harness/html_report.hpp"
+#include "verification/mutants/propose.hpp"
+#include "verification/mutants/verdicts.hpp"
+
+using namespace talus;
+using namespace talus::mutants;
+
+namespace {
+
+struct Options {
+  std::string tree = ".", copy, catalogue, only, propose, pursue = "first";
+  std::string output = "results/mutants";
+  int jobs = 2, count = 10, seed = 1;
+  bool list = false;
+};
+
+Pursuit pursuit_of(const std::string& name) {
+  return name == "first" ? Pursuit::first_kill : name == "both" ? Pursuit::both : Pursuit::all;
+}
+
+std::vector<std::size_t> chosen(const std::vector<Mutant>& mutants, const std::string& pattern) {
+  std::vector<std::size_t> numbers;
+  try {
+    const std::regex expression(pattern);
+    for (std::size_t i = 0; i < mutants.size(); ++i)
+      if (std::regex_search(mutants[i].name, expression)) numbers.push_back(i);
+  } catch (const std::regex_error&) {
+    throw io::UserError("--only: '" + pattern + "' is no regular expression");
+  }
+  if (numbers.empty()) throw io::UserError("--only: '" + pattern + "' is in no mutant's name");
+  return numbers;
+}
+
+void write_results(const io::ResultFolder& folder, const std::vector<Mutant>& mutants,
+                   const std::vector<std::optional<Verdict>>& verdicts, Pursuit pursuit) {
+  const io::Table all = mutant_table(mutants, verdicts);
+  verification::Chapter chapter{"mutants", "How many one-line mistakes are noticed?", {}, {}};
+  io::Table score = score_table(scores(mutants, verdicts), pursuit);
+  io::Table survivors = survivor_table(mutants, verdicts), each = all;
+  score.title = "Mutants killed, by area";
+  survivors.title = "Survivors";
+  each.title = "Every mutant";
+  chapter.table(score);
+  chapter.table(survivors);
+  chapter.table(each);
+  folder.write("mutants.csv", io::to_csv(all));
+  folder.write("index.html",
+               verification::html_page(
+                   "Mutants", "./run mutants",
+                   verification::html_of(verification::write_chapter(chapter, folder.path()))));
+}
+
+int run(const Options& options) {
+  const std::filesystem::path tree = std::filesystem::absolute(options.tree).lexically_normal();
+  if (!options.propose.empty()) {
+    std::cout << catalogue_text(
+        proposals(tree, options.propose, options.count, static_cast<std::uint64_t>(options.seed)));
+    return 0;
+  }
+  const std::filesystem::path catalogue = options.catalogue.empty()
+                                              ? tree / "verification/mutants/catalogue"
+                                              : std::filesystem::path(options.catalogue);
+  const std::vector<Mutant> mutants = read_catalogue(catalogue);
+  const std::vector<std::size_t> numbers = chosen(mutants, options.only);
+  if (options.list) {
+    for (const std::size_t i : numbers)
+      std::cout << mutants[i].name << ": " << mutants[i].what << " (" << mutants[i].file.string()
+                << ")\n";
+    return 0;
+  }
+  const Campaign campaign{options.copy.empty()
+                              ? std::filesystem::temp_directory_path() / "talus-mutants"
+                              : std::filesystem::absolute(options.copy),
+                          std::filesystem::path(options.output) / "verdicts.csv",
+                          pursuit_of(options.pursue), options.jobs};
+  make_copy(tree, campaign.copy, mutants);
+  const io::ResultFolder folder(options.output);
+  std::cout << "Building " << mutants.size() << " mutants in " << campaign.copy.string() << " ..."
+            << std::endl;
+  build(campaign.copy);
+  std::cout << "Running every test without a mutant ..." << std::endl;
+  const std::vector<Verifier> all = verifiers(campaign.copy, options.jobs);
+  const auto verdicts = pursue(campaign, mutants, numbers, all, [](const Verdict& verdict) {
+    std::cout << verdict.name << ' '
+              << (verdict.is_killed() ? "killed by " + verdict.killers.front() : "SURVIVES")
+              << std::endl;
+  });
+  write_results(folder, mutants, verdicts, campaign.pursuit);
+  io::print(std::cout, score_table(scores(mutants, verdicts), campaign.pursuit));
+  std::cout << "Open " << options.output << "/index.html\n";
+  const std::vector<Score> sums = scores(mutants, verdicts);
+  const Score& whole = sums.back();
+  return whole.mutants + whole.equivalent == static_cast<int>(numbers.size()) ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Mutants: how many one-line mistakes in the product code are noticed?", "mutants"};
+  Options options;
+  app.add_flag("--list", options.list, "Only print the mutants");
+  io::add_text(app, "--only", options.only, "Mutants whose names match this expression")
+      ->default_str("");
+  io::add_choice(app, "--pursue", options.pursue,
+                 "Until the first test fails; until a study and a test of another kind do; by all",
+                 {"first", "both", "all"});
+  io::add_text(app, "--propose", options.propose,
+               "Only print mutants of this file that are made by rule, for the catalogue")
+      ->default_str("");
+  io::add_integer(app, "--count", options.count, "With --propose: at most so many", 1, 10000);
+  io::add_integer(app, "--seed", options.seed, "With --propose: all draws follow from it", 0,
+                  2000000000);
+  io::add_integer(app, "--jobs", options.jobs, "Mutants at a time", 1, 64);
+  io::add_text(app, "--tree", options.tree, "Root of the source tree");
+  io::add_text(app, "--copy", options.copy, "Folder of the copy, outside of the tree")
+      ->default_str("talus-mutants among the temporary folders");
+  io::add_text(app, "--catalogue", options.catalogue, "Folder of the mutants")
+      ->default_str("verification/mutants/catalogue");
+  io::add_text(app, "--output", options.output, "Folder of the results");
+  return io::run_program(app, argc, argv, [&] { return run(options); });
+}
