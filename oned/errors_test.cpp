@@ -1,9 +1,11 @@
 #include "oned/errors.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <boost/test/unit_test.hpp>
 
+#include "oned/report.hpp"
 #include "oned/scenes.hpp"
 
 BOOST_AUTO_TEST_SUITE(errors_test)
@@ -127,6 +129,43 @@ BOOST_AUTO_TEST_CASE(a_solution_without_rates_and_stresses_has_no_errors_of_them
   solution.stress.back() = std::numeric_limits<double>::quiet_NaN();
   BOOST_TEST(std::isnan(errors(solution, scene).stress.l2));
   BOOST_TEST(std::isnan(errors(solution, scene).stress.max));
+}
+
+// Off by a half, so that no computed column is like an exact one.
+BOOST_AUTO_TEST_CASE(columns_of_the_profile_hold_what_their_names_say) {
+  for (const ShearScene& scene : scenes()) {
+    const Solution off = made_by_hand(scene, {.elements = 7}, 1.5, 0.125);
+    const io::Table table = profile_table(scene, off);
+    for (std::size_t k = 0; k < table.rows.size(); ++k) {
+      const auto column = [&](const std::string& name) {
+        const auto found = std::ranges::find(table.header, name);
+        BOOST_REQUIRE(found != table.header.end());
+        return io::number_in(table.rows[k][static_cast<std::size_t>(found - table.header.begin())]);
+      };
+      const double x = column(scene.coordinate), p = scene.pressure(x);
+      const double rate = scene.exact_shear_rate(x), stress = scene.exact_stress(x);
+      BOOST_TEST(x == off.space.points()[k].position[0]);
+      BOOST_TEST(column(scene.velocity + "_exact") == scene.exact_velocity(x));
+      BOOST_TEST(column("shear_rate") == 1.5 * rate + 0.125);
+      BOOST_TEST(column("shear_rate_exact") == rate);
+      BOOST_TEST(column("I") == scene.law().inertial_number(1.5 * rate + 0.125, p));
+      BOOST_TEST(column("I_exact") == scene.law().inertial_number(rate, p));
+      BOOST_TEST(column("stress") == 1.5 * stress + 0.125);
+      BOOST_TEST(column("stress_exact") == stress);
+    }
+  }
+}
+
+// Half a point of the nodes is off: a middle node of one element alone.
+BOOST_AUTO_TEST_CASE(a_middle_node_that_is_off_is_in_every_norm) {
+  const ShearScene scene = scene_of(Chute{});
+  const MeshOptions mesh{.elements = 12};
+  const double middle = 2.5 * scene.length / 12;
+  const Errors off = errors(
+      interpolated(scene, mesh, [&](double x) { return std::abs(x - middle) < 1e-9 ? -0.5 : 0.0; }),
+      scene);
+  BOOST_TEST(off.nodal_max == 0.5, tolerance(1e-12));
+  BOOST_TEST(off.paper_rms == 0.5 / 25, tolerance(1e-9));
 }
 
 // One order below the velocity's: rates come from its slope.
