@@ -19,6 +19,7 @@ BOOST_AUTO_TEST_SUITE(verification_test)
 
 using namespace talus;
 using verification::Chapter;
+using verification::Kind;
 
 namespace {
 
@@ -38,23 +39,29 @@ int failures_of_orders(const oned::ShearScene& scene) {
 
 BOOST_AUTO_TEST_CASE(a_check_keeps_both_bounds_and_nan_keeps_none) {
   Chapter chapter;
-  chapter.check("inside", 2, 1, 3);
+  chapter.check(Kind::self_consistency, "inside", 2, 1, 3);
   BOOST_TEST(chapter.passed());
   for (const double outside : {0.9, 3.1, std::numeric_limits<double>::quiet_NaN()}) {
     Chapter other = chapter;
-    other.check("outside", outside, 1, 3);
+    other.check(Kind::self_consistency, "outside", outside, 1, 3);
     BOOST_TEST(!other.passed());
   }
+}
+
+BOOST_AUTO_TEST_CASE(every_kind_of_check_has_a_name_of_its_own_and_is_read_back) {
+  for (const Kind kind : verification::kinds_of_checks)
+    BOOST_TEST((verification::kind_named(verification::name_of(kind)) == kind));
+  BOOST_CHECK_THROW(verification::kind_named("hearsay"), std::out_of_range);
 }
 
 BOOST_AUTO_TEST_CASE(a_number_of_another_code_is_held_within_its_uncertainty_and_names_its_source) {
   const verification::Reference known{10, 0.5, "a book"};
   Chapter chapter;
-  BOOST_TEST(chapter.check("ours", 10.4, known));
+  BOOST_TEST(chapter.check(Kind::self_consistency, "ours", 10.4, known));
   BOOST_TEST(chapter.checks.front().what == "ours (a book)");
   for (const double apart : {9.4, 10.6, std::numeric_limits<double>::quiet_NaN()})
-    BOOST_TEST(!chapter.check("ours", apart, known));
-  BOOST_TEST(chapter.check("ours", 10.9, known.within(0.1)));
+    BOOST_TEST(!chapter.check(Kind::self_consistency, "ours", apart, known));
+  BOOST_TEST(chapter.check(Kind::self_consistency, "ours", 10.9, known.within(0.1)));
   BOOST_TEST(verification::references::cylinder_creep(0.04).drag.value == 4.61716);
   BOOST_CHECK_THROW(verification::references::cylinder_creep(0.02), std::out_of_range);
 }
@@ -117,7 +124,7 @@ BOOST_AUTO_TEST_CASE(an_order_half_off_is_rejected) {
 BOOST_AUTO_TEST_CASE(the_report_shows_failures_and_escapes_text) {
   Chapter chapter{"name", "Is a < b?", {}, {}};
   chapter.text("x & y");
-  chapter.check("good", 1, 0, 2);
+  chapter.check(Kind::self_consistency, "good", 1, 0, 2);
   const auto html = [&] {
     return verification::html_report({verification::write_chapter(chapter, "no such folder")},
                                      "./run verify");
@@ -125,7 +132,7 @@ BOOST_AUTO_TEST_CASE(the_report_shows_failures_and_escapes_text) {
   BOOST_TEST(html().find("Every check holds.") != std::string::npos);
   BOOST_TEST(html().find("Is a &lt; b?") != std::string::npos);
   BOOST_TEST(html().find("x &amp; y") != std::string::npos);
-  chapter.check("bad", 3, 0, 2);
+  chapter.check(Kind::self_consistency, "bad", 3, 0, 2);
   BOOST_TEST(html().find("Some checks do not hold.") != std::string::npos);
   BOOST_TEST(html().find("fail>FAILS") != std::string::npos);
 }

@@ -95,9 +95,10 @@ void check_limits(Chapter& chapter) {
   const auto limit = [&](double twod::CylinderMeasures::*measure) {
     return richardson(thinner[0].*measure, thinner[1].*measure, thinner[2].*measure);
   };
-  chapter.check("cylinder: Richardson's limit of the drag over the one used",
+  chapter.check(Kind::self_consistency,
+                "cylinder: Richardson's limit of the drag over the one used",
                 limit(&twod::CylinderMeasures::drag) / limit_drag, 0.999, 1.001);
-  chapter.check("cylinder: Richardson's limit of U over the one used",
+  chapter.check(Kind::self_consistency, "cylinder: Richardson's limit of U over the one used",
                 limit(&twod::CylinderMeasures::mean_velocity) / limit_velocity, 0.999, 1.001);
 }
 
@@ -134,10 +135,11 @@ void meshes(Chapter& chapter, const Context& context) {
     traction = errors.traction;
     std::vector<double> sizes(family.arounds.begin(), family.arounds.end());
     for (double& size : sizes) size = 1 / size;
-    chapter.check("cylinder: order of the drag in the size of the elements",
+    chapter.check(Kind::self_consistency, "cylinder: order of the drag in the size of the elements",
                   fitted_order(sizes, errors.drag.y), 0.7, 1.3);
   }
-  chapter.check("cylinder: meshes on which creep was not found", not_found, 0, 0);
+  chapter.check(Kind::self_consistency, "cylinder: meshes on which creep was not found", not_found,
+                0, 0);
   drag.curves.push_back(traction);
   chapter.figure(
       {"cost_cylinder",
@@ -156,8 +158,8 @@ void penalties(Chapter& chapter) {
   const auto reference = creep_at(scene, 0.03).measures;
   const double drag = reference.drag;
   // At rest the drag is the buoyancy, whatever the penalty.
-  chapter.check("penalty: U over λr of the reference", reference.mean_velocity / scene.lambda_r,
-                1.5, 2.5);
+  chapter.check(Kind::self_consistency, "penalty: U over λr of the reference",
+                reference.mean_velocity / scene.lambda_r, 1.5, 2.5);
   double order = 0;
   double largest_iterated = 0;
   std::string all_iterations;  // in words
@@ -194,10 +196,12 @@ void penalties(Chapter& chapter) {
     all_iterations += (is_plain ? "" : ", ") + errors.label + " " + factorisations.text(4);
     if (is_plain) {  // from larger λp the pressure answers too strongly
       order = std::log10(errors.y[2] / errors.y[3]) / 2;
-      chapter.check("plain penalty: order of its error in λp, 1e-6 to 1e-8", order, 0.9, 1.1);
+      chapter.check(Kind::self_consistency, "plain penalty: order of its error in λp, 1e-6 to 1e-8",
+                    order, 0.9, 1.1);
     } else {
       largest_iterated = largest;
-      chapter.check("iterated penalty: largest error of the drag, λp from 1e-2 to 1e-12", largest,
+      chapter.check(Kind::self_consistency,
+                    "iterated penalty: largest error of the drag, λp from 1e-2 to 1e-12", largest,
                     0, 1e-9);
     }
     error.curves.push_back(errors);

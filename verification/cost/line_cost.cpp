@@ -262,7 +262,7 @@ void line_costs(Chapter& chapter, const Context& context) {
     chapter.figure(front_figure(scene, "cost_" + scene.name + "_control", control_runs));
     cheapest(table, scene.name + ", control law", control_runs);
   }
-  chapter.check("solves that did not succeed", failures, 0, 0);
+  chapter.check(Kind::self_consistency, "solves that did not succeed", failures, 0, 0);
   chapter.table(std::move(table));
   precision_cost(chapter);
   kernel_speed(chapter);

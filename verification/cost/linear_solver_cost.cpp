@@ -172,9 +172,11 @@ void linear_solver_costs(Chapter& chapter, const Context& context) {
     if (way.threads == 1) cpu.curves.push_back(by_cpu);
     wall.curves.push_back(by_wall);
   }
-  chapter.check("3D, ways to solve linear systems: solves that failed", failed, 0, 0);
-  chapter.check("3D: errors of all ways apart from that of direct solves", apart, 0, 1e-6);
-  chapter.check("3D: factorisations with lagged factors over those without",
+  chapter.check(Kind::self_consistency, "3D, ways to solve linear systems: solves that failed",
+                failed, 0, 0);
+  chapter.check(Kind::other_method, "3D: errors of all ways apart from that of direct solves",
+                apart, 0, 1e-6);
+  chapter.check(Kind::self_consistency, "3D: factorisations with lagged factors over those without",
                 if_counts(failed == 0,
                           static_cast<double>(factorisations_of_lagged) / factorisations_of_direct),
                 0, 0.7);

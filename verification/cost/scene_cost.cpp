@@ -119,7 +119,8 @@ void add_work_precision(Chapter& chapter, const std::vector<WorkQuestion>& quest
     double worst = 0;
     for (const auto& curve : study::curves_of(answer, {answer.mesh_option()}))
       worst = solve::nan_max(worst, decrease(curve, error));
-    chapter.check("work and precision, " + question.title +
+    chapter.check(Kind::self_consistency,
+                  "work and precision, " + question.title +
                       ": error on the finest mesh over that on the coarsest, any method",
                   worst, 0, question.most_left);
     progress(static_cast<double>(++done) / static_cast<double>(questions.size()));

@@ -91,7 +91,8 @@ void section_costs(Chapter& chapter, const Context& context) {
     }
     figure.panels.push_back(panel);
   }
-  chapter.check("heap section: solves that did not succeed", failures, 0, 0);
+  chapter.check(Kind::self_consistency, "heap section: solves that did not succeed", failures, 0,
+                0);
   figure.caption = "Q* of the heap's section at α = 0.42 against CPU time, every point a mesh (" +
                    std::to_string(acrosses.front()) + " to " + std::to_string(acrosses.back()) +
                    " elements across, Newton to 70). " + distances.caption(all_methods);

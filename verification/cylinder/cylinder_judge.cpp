@@ -37,15 +37,19 @@ void judge_meshes(Chapter& chapter, const std::vector<FinerMeshes>& runs, double
     const auto& [drag, velocity] = references::cylinder_creep(loading);
     const auto& finest = creeps.back().measures;
     const std::string name = "F = " + io::rounded(loading) + ": ";
-    chapter.check(name + "drag on the finest mesh", finest.drag, drag.within(room));
-    chapter.check(name + "U on the finest mesh", finest.mean_velocity, velocity.within(room));
+    chapter.check(Kind::other_code, name + "drag on the finest mesh", finest.drag,
+                  drag.within(room));
+    chapter.check(Kind::other_code, name + "U on the finest mesh", finest.mean_velocity,
+                  velocity.within(room));
   }
-  const bool balances = chapter.check("weight against walls and cylinder: worst imbalance",
-                                      worst_imbalance, 0, 1e-10);
-  const bool is_solenoidal =
-      chapter.check("projected divergence: worst", worst_projected, 0, 1e-12);
+  const bool balances =
+      chapter.check(Kind::self_consistency, "weight against walls and cylinder: worst imbalance",
+                    worst_imbalance, 0, 1e-10);
+  const bool is_solenoidal = chapter.check(Kind::self_consistency, "projected divergence: worst",
+                                           worst_projected, 0, 1e-12);
   const bool falls =
-      chapter.check("div u on a mesh over that on the next coarser one: worst", least_gain, 0, 0.9);
+      chapter.check(Kind::self_consistency,
+                    "div u on a mesh over that on the next coarser one: worst", least_gain, 0, 0.9);
   chapter.text(
       std::string("Creep, below F ≈ 0.049. Weight, wall friction and drag ") +
       (balances ? "balance to round-off." : "should balance to round-off, but a check fails.") +
@@ -57,11 +61,12 @@ void judge_meshes(Chapter& chapter, const std::vector<FinerMeshes>& runs, double
 }
 
 void judge_halves(Chapter& chapter, const Creep& half, const Creep& full) {
-  const bool agree = chapter.check("drag on the full domain against the half: relative distance",
+  const bool agree = chapter.check(Kind::other_method,
+                                   "drag on the full domain against the half: relative distance",
                                    std::abs(full.measures.drag / half.measures.drag - 1), 0, 1e-9);
   // At rest they would agree as well.
-  const bool creeps =
-      chapter.check("half domain: U over λr", velocity_over_lambda_r(half.measures), 1.5, 2.5);
+  const bool creeps = chapter.check(Kind::other_method, "half domain: U over λr",
+                                    velocity_over_lambda_r(half.measures), 1.5, 2.5);
   chapter.text(agree && creeps
                    ? "The flow keeps its symmetry: half the domain gives the same digits, for " +
                          io::rounded(half.seconds / full.seconds, 2) + " of the CPU time."
@@ -81,17 +86,21 @@ void judge_outlets(Chapter& chapter, const std::vector<OutletPair>& pairs, const
     slowest = solve::nan_min(slowest, velocity_over_lambda_r(developed.measures));
     nearest = std::min(nearest, place);
   }
-  bool agree = chapter.check("developed outlet: U over λr, slowest place", slowest, 2, 5);
+  bool agree = chapter.check(Kind::self_consistency, "developed outlet: U over λr, slowest place",
+                             slowest, 2, 5);
   agree &=
-      chapter.check("open outlet, pressure given: drag apart from the developed one, worst place",
+      chapter.check(Kind::other_method,
+                    "open outlet, pressure given: drag apart from the developed one, worst place",
                     worst_drag, 0, 0.05);
-  agree &= chapter.check("open outlet, pressure given: U apart from the developed one, worst place",
+  agree &= chapter.check(Kind::other_method,
+                         "open outlet, pressure given: U apart from the developed one, worst place",
                          worst_velocity, 0, 0.2);
   const double buoyancy = -std::numbers::pi / 4 * 0.044;
-  bool rests = chapter.check("open outlet, pressure open too: |U|",
+  bool rests = chapter.check(Kind::self_consistency, "open outlet, pressure open too: |U|",
                              std::abs(all_open.measures.mean_velocity), 0, 1e-9);
-  rests &= chapter.check("open outlet, pressure open too: drag over buoyancy",
-                         all_open.measures.drag / buoyancy, 0.98, 1.02);
+  rests &=
+      chapter.check(Kind::self_consistency, "open outlet, pressure open too: drag over buoyancy",
+                    all_open.measures.drag / buoyancy, 0.98, 1.02);
   chapter.text(
       std::string(
           "The paper's open boundary keeps the boundary term of the weak form with the "
@@ -115,23 +124,30 @@ void judge_sweep(Chapter& chapter, const Sweep& sweep, const Followed& f) {
   const double reached = f.largest_loading(), velocity = velocity_over_lambda_r(f.last());
   if (rheology::has_yield_stress(sweep.law) && sweep.is_natural()) {
     // Where it ends is its fold, if the mesh has one.
-    chapter.check(name + "largest loading", reached, 0.044, beyond);
-    chapter.check(name + "U over λr where the sweep stops: creep or more", velocity, 2, infinity);
+    chapter.check(Kind::self_consistency, name + "largest loading", reached, 0.044, beyond);
+    chapter.check(Kind::self_consistency, name + "U over λr where the sweep stops: creep or more",
+                  velocity, 2, infinity);
     return;
   }
   if (rheology::has_yield_stress(sweep.law)) {
-    chapter.check(name + "largest loading, past yield at 0.049", reached, 0.0495, beyond);
-    chapter.check(name + "share of the area with C > 0 where the sweep stops",
+    chapter.check(Kind::self_consistency, name + "largest loading, past yield at 0.049", reached,
+                  0.0495, beyond);
+    chapter.check(Kind::self_consistency,
+                  name + "share of the area with C > 0 where the sweep stops",
                   f.last().ill_posed_share, 0.01, 1);
   } else if (sweep.goes_beyond()) {
     // The walls alone carry 0.065; only inertia stops the sweep before.
-    chapter.check(name + "largest loading", reached, sweep.inertia ? flowing : 0.065, beyond);
+    chapter.check(Kind::self_consistency, name + "largest loading", reached,
+                  sweep.inertia ? flowing : 0.065, beyond);
   } else {
-    chapter.check(name + "loading reached", f.last().loading, flowing, flowing);
-    chapter.check(name + "folds", if_counts(f.arrived(), f.folds()), 0, 0);
-    chapter.check(name + "share of the area with C > 0 there", f.last().ill_posed_share, 0, 0.005);
+    chapter.check(Kind::self_consistency, name + "loading reached", f.last().loading, flowing,
+                  flowing);
+    chapter.check(Kind::self_consistency, name + "folds", if_counts(f.arrived(), f.folds()), 0, 0);
+    chapter.check(Kind::self_consistency, name + "share of the area with C > 0 there",
+                  f.last().ill_posed_share, 0, 0.005);
   }
-  chapter.check(name + "U over λr where the sweep stops: beyond creep, which has 2 to 10", velocity,
+  chapter.check(Kind::self_consistency,
+                name + "U over λr where the sweep stops: beyond creep, which has 2 to 10", velocity,
                 20, infinity);
 }
 

@@ -23,16 +23,43 @@ double number_in(const json& text) {
 
 }  // namespace
 
+std::string name_of(Kind kind) {
+  switch (kind) {
+    case Kind::exact:
+      return "exact solution";
+    case Kind::manufactured:
+      return "manufactured solution";
+    case Kind::other_code:
+      return "other code";
+    case Kind::publication:
+      return "publication";
+    case Kind::other_method:
+      return "other method here";
+    case Kind::self_consistency:
+      return "itself";
+    case Kind::control:
+      return "something broken";
+  }
+  return {};
+}
+
+Kind kind_named(const std::string& name) {
+  for (const Kind kind : kinds_of_checks)
+    if (name_of(kind) == name) return kind;
+  throw std::out_of_range("no check is against '" + name + "'");
+}
+
 void remove_chapter(const io::ResultFolder& folder) {
   folder.remove_older({chapter_file, "checks.csv", "table*.csv", "*.dat", "*.gp", "*.svg"});
 }
 
 void write_chapter_files(const io::ResultFolder& folder, const Chapter& chapter, bool is_full,
                          double seconds) {
-  io::Table checks{"", {"check", "value", "lower", "upper", "holds"}, {}};
+  io::Table checks{"", {"check", "value", "lower", "upper", "holds", "against"}, {}};
   for (const auto& check : chapter.checks)
     checks.rows.push_back({check.what, io::exact(check.value), io::exact(check.lower),
-                           io::exact(check.upper), check.passed() ? "yes" : "no"});
+                           io::exact(check.upper), check.passed() ? "yes" : "no",
+                           name_of(check.kind)});
   folder.write("checks.csv", io::to_csv(checks));
   int tables = 0;
   for (const auto& block : chapter.blocks) {
@@ -57,10 +84,10 @@ std::optional<Record> read_chapter(const std::filesystem::path& folder) {
     const json contents = json::parse(file);
     Record record{{"", "", contents.at("body"), {}, contents.at("seconds")}, contents.at("full")};
     for (const json& row : contents.at("checks"))
-      record.written.checks.push_back(
-          {row.at(0), number_in(row.at(1)), number_in(row.at(2)), number_in(row.at(3))});
+      record.written.checks.push_back({row.at(0), number_in(row.at(1)), number_in(row.at(2)),
+                                       number_in(row.at(3)), kind_named(row.at(5))});
     return record;
-  } catch (const json::exception&) {
+  } catch (const std::exception&) {  // of JSON, or no kind of check
     return std::nullopt;
   }
 }
@@ -76,7 +103,8 @@ void copy_chapter(const std::filesystem::path& from, const io::ResultFolder& to)
 
 Chapter chapter_of_failure(const Study& study, const Part& part, const std::string& did_not) {
   Chapter chapter{study.name_of(part), study.question, {}, {}};
-  chapter.check(chapter.name + " " + did_not, std::numeric_limits<double>::quiet_NaN(), 0, 0);
+  chapter.check(Kind::self_consistency, chapter.name + " " + did_not,
+                std::numeric_limits<double>::quiet_NaN(), 0, 0);
   return chapter;
 }
 

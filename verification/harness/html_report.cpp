@@ -100,10 +100,11 @@ std::string html_of_checks(const Written& written) {
   std::string html = std::string("<details") + (written.passed() ? "" : " open") + "><summary>" +
                      std::to_string(written.held()) + " of " +
                      std::to_string(written.checks.size()) + " checks hold</summary><table>" +
-                     "<tr><th>check<th>value<th>bounds<th></tr>\n";
+                     "<tr><th>check<th>against<th>value<th>bounds<th></tr>\n";
   for (const Check& check : written.checks)
-    html += "<tr><td>" + escaped(check.what) + "<td>" + io::rounded(check.value, 5) + "<td>[" +
-            io::rounded(check.lower, 5) + ", " + io::rounded(check.upper, 5) +
+    html += "<tr><td>" + escaped(check.what) + "<td>" + name_of(check.kind) + "<td>" +
+            io::rounded(check.value, 5) + "<td>[" + io::rounded(check.lower, 5) + ", " +
+            io::rounded(check.upper, 5) +
             "]<td class=" + (check.passed() ? "pass>holds" : "fail>FAILS") + "</tr>\n";
   return html + "</table></details>\n";
 }
@@ -172,6 +173,19 @@ std::string html_of(const Written& chapter) {
          (chapter.checks.empty() ? "" : html_of_checks(chapter)) + chapter.body;
 }
 
+// How many checks there are against what.
+std::string html_of_kinds(const std::vector<Written>& chapters) {
+  std::string heads = "<table><tr><th>checks against", counts = "<tr><td>";
+  for (const Kind kind : kinds_of_checks) {
+    std::ptrdiff_t count = 0;
+    for (const Written& chapter : chapters)
+      count += std::ranges::count(chapter.checks, kind, &Check::kind);
+    heads += "<th>" + name_of(kind);
+    counts += "<td>" + std::to_string(count);
+  }
+  return heads + "</tr>\n" + counts + "</tr></table>\n";
+}
+
 std::string html_report(const std::vector<Written>& chapters, const std::string& command) {
   bool passed = true;
   std::string summary = "<table><tr><th>study<th>question<th>checks<th>CPU s<th>regenerate</tr>\n";
@@ -192,7 +206,7 @@ std::string html_report(const std::vector<Written>& chapters, const std::string&
           (passed ? "pass>Every check holds." : "fail>Some checks do not hold.") +
           "</p>\n<p>Steady dense granular flow with the μ(I) rheology: is the code right, what "
           "does an error cost, where do the methods fail?</p>\n",
-      command, summary + "</table>\n" + body);
+      command, summary + "</table>\n" + html_of_kinds(chapters) + body);
 }
 
 std::string html_page(const std::string& title, const std::string& command,

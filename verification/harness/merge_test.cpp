@@ -18,6 +18,7 @@ BOOST_AUTO_TEST_SUITE(merge_test)
 using namespace talus;
 using verification::Chapter;
 using verification::Context;
+using verification::Kind;
 using verification::Part;
 using verification::Study;
 using verification::Written;
@@ -37,8 +38,8 @@ Part part(const std::string& name) {
   return {name, [name](Chapter& chapter, const Context&) {
             chapter.text("This is " + name + ".");
             chapter.table({"a table", {"a"}, {{name}}});
-            chapter.check(name + " holds", 0.1, 0.1, infinity);
-            chapter.check(name + " fails", std::nan(""), -infinity, 1);
+            chapter.check(Kind::self_consistency, name + " holds", 0.1, 0.1, infinity);
+            chapter.check(Kind::self_consistency, name + " fails", std::nan(""), -infinity, 1);
           }};
 }
 

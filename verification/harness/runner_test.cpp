@@ -19,6 +19,7 @@ BOOST_AUTO_TEST_SUITE(runner_test)
 using namespace talus;
 using verification::Chapter;
 using verification::Context;
+using verification::Kind;
 using verification::Part;
 using verification::Study;
 
@@ -39,8 +40,8 @@ Study study_of(const std::string& name, const std::function<void(Chapter&, const
 
 void add_good(Chapter& chapter, const Context& context) {
   context.progress(0.5);
-  chapter.check("not a number", std::nan(""), 0, 1);
-  chapter.check("good", 1, 0, 2);
+  chapter.check(Kind::self_consistency, "not a number", std::nan(""), 0, 1);
+  chapter.check(Kind::self_consistency, "good", 1, 0, 2);
 }
 
 Study good(const std::string& name) {
@@ -84,7 +85,7 @@ BOOST_FIXTURE_TEST_CASE(parts_are_reported_in_their_order_whatever_order_they_ru
     return Part{name,
                 [name](Chapter& chapter, const Context&) {
                   chapter.text("This is " + name + ".");
-                  chapter.check(name, 1, 0, 2);
+                  chapter.check(Kind::self_consistency, name, 1, 0, 2);
                 },
                 {minutes, minutes},
                 is_timing};

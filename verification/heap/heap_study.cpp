@@ -83,18 +83,21 @@ void mesh_error(Chapter& chapter, const Context& context) {
       curve.x.push_back(1.0 / across);
       curve.y.push_back(std::abs(found.value - limit_rate) / limit_rate);
       if (across == 35 && family.grading > 1)
-        chapter.check("Q* on 35x50 graded", found.value, references::heap_flow_rate);
+        chapter.check(Kind::other_code, "Q* on 35x50 graded", found.value,
+                      references::heap_flow_rate);
       if (across == 70 && family.label == families[0].label)
-        chapter.check("Q* on 70x100 uniform", found.value, references::heap_flow_rate_on_70x100);
+        chapter.check(Kind::other_code, "Q* on 70x100 uniform", found.value,
+                      references::heap_flow_rate_on_70x100);
     }
     orders.push_back(fitted_order(curve.x, curve.y));
     if (family.grading == 1)
-      chapter.check("order of Q*, " + family.label, orders.back(), family.lowest_order,
-                    family.highest_order);
+      chapter.check(Kind::self_consistency, "order of Q*, " + family.label, orders.back(),
+                    family.lowest_order, family.highest_order);
     finest.push_back(curve.y.back());
     panel.curves.push_back(curve);
   }
-  chapter.check("70x100 uniform: mesh error with the relaxed wall over that without slip",
+  chapter.check(Kind::self_consistency,
+                "70x100 uniform: mesh error with the relaxed wall over that without slip",
                 finest[1] / finest[0], 0.15, 0.25);
   chapter.figure(
       {"heap_mesh",
@@ -133,8 +136,8 @@ void lambda_error(Chapter& chapter) {
       curve.y.push_back(rate(mesh, studied_angle, options).value / exact - 1);
     }
     if (rheology::name_of(regularisation) == rheology::ChauchatMedale::name)
-      chapter.check("order of the λr error of eq. (12)", fitted_order(curve.x, curve.y), 0.95,
-                    1.05);
+      chapter.check(Kind::self_consistency, "order of the λr error of eq. (12)",
+                    fitted_order(curve.x, curve.y), 0.95, 1.05);
     panel.curves.push_back(curve);
   }
   chapter.figure(
@@ -173,8 +176,8 @@ void work(Chapter& chapter, const Context& context) {
       }
       panel.curves.push_back(curve);
       const std::string label = way.label + ", " + name_of(mesh);
-      chapter.check(label + ": angles that fail", failures, 0, 0);
-      chapter.check(label + ": most factorisations", most, 1, way.most);
+      chapter.check(Kind::self_consistency, label + ": angles that fail", failures, 0, 0);
+      chapter.check(Kind::self_consistency, label + ": most factorisations", most, 1, way.most);
     }
     figure.panels.push_back(panel);
   }
@@ -205,7 +208,7 @@ void flow_rates(Chapter& chapter, const Context& context) {
     velocity.curves.push_back({label, surface.y, surface.velocity, io::Style::line});
     depth.curves.push_back({label, surface.y, surface.depth_1, io::Style::line});
     profiles.panels.push_back(twod::profiles(solution, space, label));
-    chapter.check(label + ": relative miss",
+    chapter.check(Kind::self_consistency, label + ": relative miss",
                   if_success(solution.end, twod::flow_rate(solution, space) / target - 1), -1e-8,
                   1e-8);
     table.rows.push_back(

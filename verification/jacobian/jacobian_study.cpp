@@ -62,10 +62,12 @@ void check_the_law(Chapter& chapter) {
           }
         remainders.curves.push_back(curve);
       }
-  chapter.check("smallest slope over all laws and states", smallest, lowest_slope, 4);
-  chapter.check("largest error of an entry against differences, beyond their own", worst_entry, 0,
+  chapter.check(Kind::other_method, "smallest slope over all laws and states", smallest,
+                lowest_slope, 4);
+  chapter.check(Kind::other_method,
+                "largest error of an entry against differences, beyond their own", worst_entry, 0,
                 1e-6);
-  chapter.check("laws and states that do not pass", wrong, 0, 0);
+  chapter.check(Kind::self_consistency, "laws and states that do not pass", wrong, 0, 0);
   chapter.figure({"taylor",
                   "The remainder falls with the square of the step until round-off takes over. A "
                   "wrong derivative would fall with the step itself.",
@@ -130,6 +132,7 @@ void check_the_scenes(Chapter& chapter, const Context& context) {
                             io::rounded(worst, 2), io::rounded(system, 2),
                             std::to_string(checks.size())});
       chapter.check(
+          Kind::other_method,
           scene.name + ", " + method.label + ", λr " + lambda_r + ": every block, entry and system",
           verdict == solve::Verdict::right ? 1 : 0, 1, 1);
       if (is_newton)
@@ -141,9 +144,10 @@ void check_the_scenes(Chapter& chapter, const Context& context) {
     }
     context.progress(++done / static_cast<double>(scenes.size()));
   }
-  chapter.check("smallest slope over all scenes and methods", smallest, lowest_slope, 4);
-  chapter.check("broken tangents (η' dropped, or with the wrong sign) not caught", not_caught, 0,
-                0);
+  chapter.check(Kind::other_method, "smallest slope over all scenes and methods", smallest,
+                lowest_slope, 4);
+  chapter.check(Kind::control, "broken tangents (η' dropped, or with the wrong sign) not caught",
+                not_caught, 0, 0);
   chapter.table(std::move(table));
   chapter.text(
       "Newton's tangent is checked at rest, in plug, at yield and in flow, and the law alone, "

@@ -159,18 +159,22 @@ void check_tangents(Chapter& chapter) {
         if (!is_caught(law, factors)) ++not_caught;
   const int blocks_not_caught =
       wrong_blocks_not_caught<Dim>(space, rheology::ChauchatMedale{}, {"", 1, 1, 1}, scale);
-  chapter.check(name + "smallest slope over all laws and states", smallest, lowest_slope, 4);
-  chapter.check(name + "largest error of an entry of the matrix that is factored", worst_entry, 0,
+  chapter.check(Kind::other_method, name + "smallest slope over all laws and states", smallest,
+                lowest_slope, 4);
+  chapter.check(Kind::other_method,
+                name + "largest error of an entry of the matrix that is factored", worst_entry, 0,
                 1e-6);
-  chapter.check(name + "product and condensed solve, off the matrix, unrefined", worst_system, 0,
-                1e-6);
-  chapter.check(name + "laws and states that do not pass", wrong, 0, 0);
-  chapter.check(name +
+  chapter.check(Kind::other_method, name + "product and condensed solve, off the matrix, unrefined",
+                worst_system, 0, 1e-6);
+  chapter.check(Kind::self_consistency, name + "laws and states that do not pass", wrong, 0, 0);
+  chapter.check(Kind::control,
+                name +
                     "broken tangents (η'(|γ|), η'(p) or the variation of "
                     "inertia dropped" +
                     (Dim == 2 ? std::string(", or with the wrong sign") : "") + ") not caught",
                 not_caught, 0, 0);
-  chapter.check(name + "blocks a percent too large not caught", blocks_not_caught, 0, 0);
+  chapter.check(Kind::control, name + "blocks a percent too large not caught", blocks_not_caught, 0,
+                0);
   chapter.table(std::move(table));
 }
 

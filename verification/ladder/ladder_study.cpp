@@ -129,9 +129,9 @@ void check(Chapter& chapter, const Rung& rung) {
   for (const RungCase& each : rung.cases)
     if (!each.solved()) ++failed;
   const std::string name = rung.scene + ", " + rung.poorer + " and " + rung.richer + ": ";
-  chapter.check(name + "solves that failed", failed, 0, 0);
-  chapter.check(name + "largest distance (velocity, cross-flow, pressure)", rung.farthest(), 0,
-                rung.target);
+  chapter.check(Kind::self_consistency, name + "solves that failed", failed, 0, 0);
+  chapter.check(Kind::other_method, name + "largest distance (velocity, cross-flow, pressure)",
+                rung.farthest(), 0, rung.target);
 }
 
 }  // namespace
@@ -147,9 +147,11 @@ void ladder_study(Chapter& chapter, const Context& context) {
   }
   for (const Rung& rung : rungs) check(chapter, rung);
   constexpr double force = 1e-8, target = 1e-10;
-  chapter.check("negative control: chute with one force larger by 1e-8, velocities apart",
+  chapter.check(Kind::control,
+                "negative control: chute with one force larger by 1e-8, velocities apart",
                 lines_apart_with_force_times(1 + force), 10 * target, 1e-6);
-  chapter.check("negative control: cylinder with one loading larger by 1e-7, velocities apart",
+  chapter.check(Kind::control,
+                "negative control: cylinder with one loading larger by 1e-7, velocities apart",
                 cylinder_apart_with_force_times(1 + 10 * force), 20 * target, 1e-5);
 
   recommend(chapter, rungs);

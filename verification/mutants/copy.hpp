@@ -27,7 +27,8 @@ void make_copy(const std::filesystem::path& tree, const std::filesystem::path& c
 void build(const std::filesystem::path& copy);
 
 /// The tests of CTest that evaluate a mutant, the quickest first, each run once without one.
-/// Throws io::UserError if one fails.
+/// What that took and came by is kept beside the copy. Throws io::UserError if one fails,
+/// std::runtime_error if interrupted.
 std::vector<Verifier> verifiers(const std::filesystem::path& copy, int jobs);
 
 /// What decides verdicts: all that was copied.

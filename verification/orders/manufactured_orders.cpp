@@ -49,7 +49,7 @@ MeasuredOrders check_orders(Chapter& chapter, io::Table& table, const Manufactur
   const MeasuredOrders measured = measure_orders(each, family);
   table.rows.push_back(row_of(each, family, measured));
   for (const FlowNorm& norm : flow_norms)
-    chapter.check(label_of(each, family) + ": order of " + norm.name,
+    chapter.check(Kind::manufactured, label_of(each, family) + ": order of " + norm.name,
                   measured.order(norm.error, family.sizes.size()), norm.order - order_tolerance,
                   norm.order + order_tolerance);
   return measured;
@@ -64,7 +64,7 @@ MeasuredOrders check_mapped_pressure(Chapter& chapter, io::Table& table, Manufac
   auto row = row_of(each, family, lost);
   row[3] += ", mapped pressure";
   table.rows.push_back(row);
-  chapter.check(label_of(each, family) + ", mapped pressure: order of p is lost",
+  chapter.check(Kind::control, label_of(each, family) + ", mapped pressure: order of p is lost",
                 lost.order(&FlowErrors::pressure, family.sizes.size()), lowest, highest);
   return lost;
 }

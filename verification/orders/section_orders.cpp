@@ -44,7 +44,8 @@ void section_orders(Chapter& chapter, const Context& context) {
       const double order = std::log2((rates[1] - rates[0]) / (rates[2] - rates[1]));
       const bool slips = bounds.wall == twod::Wall::friction;
       table.rows.back().push_back(io::fixed(order, 3));
-      chapter.check("heap section, " + std::string(slips ? "relaxed wall" : "no slip") + ", " +
+      chapter.check(Kind::self_consistency,
+                    "heap section, " + std::string(slips ? "relaxed wall" : "no slip") + ", " +
                         method.label + ": order of Q*",
                     order, bounds.lower, bounds.upper);
     }

@@ -116,17 +116,22 @@ void add_space(Chapter& chapter, io::Table& findings, const oned::ShearScene& ch
                         {curve.y.begin(), curve.y.begin() + 4});
   };
   const double rms = coarsest(plane.rms), nodal = coarsest(plane.nodal);
-  const bool is_refuted =
-      chapter.check("Table 1 in 3D: most iterations on the six meshes, ours and as the paper",
-                    plane.most_iterations, 1, 12);
-  chapter.check("chute in 3D: most iterations on the six meshes, ours and as the paper",
+  const bool is_refuted = chapter.check(
+      Kind::publication, "Table 1 in 3D: most iterations on the six meshes, ours and as the paper",
+      plane.most_iterations, 1, 12);
+  chapter.check(Kind::publication,
+                "chute in 3D: most iterations on the six meshes, ours and as the paper",
                 channel.most_iterations, 1, 25);
-  bool agrees = chapter.check("inclined plane in 3D: velocity apart from 1D, worst mesh",
-                              plane.farthest, 0, together);
-  chapter.check("chute in 3D: velocity apart from 1D, worst mesh", channel.farthest, 0, together);
-  agrees &= chapter.check("Fig. 7 in 3D: order of the paper's RMS on the four coarsest meshes", rms,
+  bool agrees =
+      chapter.check(Kind::other_method, "inclined plane in 3D: velocity apart from 1D, worst mesh",
+                    plane.farthest, 0, together);
+  chapter.check(Kind::other_method, "chute in 3D: velocity apart from 1D, worst mesh",
+                channel.farthest, 0, together);
+  agrees &= chapter.check(Kind::publication,
+                          "Fig. 7 in 3D: order of the paper's RMS on the four coarsest meshes", rms,
                           2.36, 2.56);
-  agrees &= chapter.check("Fig. 7 in 3D: order in the maximum norm on the four coarsest meshes",
+  agrees &= chapter.check(Kind::publication,
+                          "Fig. 7 in 3D: order in the maximum norm on the four coarsest meshes",
                           nodal, 1.4, 1.6);
   add_finding(findings, "Fig. 7 in 3D", "2.46 and 1.5",
               io::fixed(rms, 2) + " and " + io::fixed(nodal, 2) + "; true L2 " +

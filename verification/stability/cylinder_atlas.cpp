@@ -196,13 +196,15 @@ void judge_atlas(Chapter& chapter, const std::vector<LambdaPath>& paths) {
     if (!(is_primal_dual && is_sure) && !has_no_fold) continue;
     const std::string what = rheology::name_of(law) + ", " + way.label + ", " + mesh +
                              ", F = " + io::rounded(loading) + ": ";
-    const bool arrives =
-        chapter.check(what + "smallest λr reached", f.smallest_lambda_r(), 0.999e-6, 1.001e-6);
+    const bool arrives = chapter.check(Kind::self_consistency, what + "smallest λr reached",
+                                       f.smallest_lambda_r(), 0.999e-6, 1.001e-6);
     // Creep would have some 1e-5.
-    const bool flows = chapter.check(what + "U, a flow's",
+    const bool flows = chapter.check(Kind::self_consistency, what + "U, a flow's",
                                      if_counts(f.arrived(), f.last().mean_velocity), 0.05, 1);
     if (is_primal_dual) is_sound = is_sound && arrives && flows;
-    if (has_no_fold) chapter.check(what + "folds", if_counts(f.arrived(), f.folds()), 0, 0);
+    if (has_no_fold)
+      chapter.check(Kind::self_consistency, what + "folds", if_counts(f.arrived(), f.folds()), 0,
+                    0);
   }
   chapter.text(
       "Paths in λr past yield, F = 0.054: " + std::to_string(arrived) + " of " +

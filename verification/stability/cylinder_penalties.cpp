@@ -73,11 +73,11 @@ void judge_penalties(Chapter& chapter, const PenaltyPaths& paths) {
   const std::string name = rheology::name_of(paths.law) + ", past yield, ";
   // At rest the drag is the buoyancy, whatever the penalty.
   const bool flows =
-      chapter.check(name + "usual penalty: U, a flow's",
+      chapter.check(Kind::self_consistency, name + "usual penalty: U, a flow's",
                     flow_of(paths.usual, &twod::CylinderMeasures::mean_velocity), 0.01, 1);
-  const bool agree =
-      chapter.check(name + "iterated penalty, λp from 1e-8 to 1e-4: change of the drag",
-                    if_counts(compared > 0, worst), 0, 1e-4);
+  const bool agree = chapter.check(
+      Kind::self_consistency, name + "iterated penalty, λp from 1e-8 to 1e-4: change of the drag",
+      if_counts(compared > 0, worst), 0, 1e-4);
   chapter.text(
       "Penalties past yield, " + rheology::name_of(paths.law) + ": " +
       (not_arrived.empty() ? "every path arrived" : "paths that did not arrive: " + not_arrived) +

@@ -37,10 +37,10 @@ void add_map(Chapter& chapter, const MapQuestion& question) {
   }
   std::vector<const study::Row*> all = study::all_rows(answer), broken;
   std::ranges::copy_if(all, std::back_inserter(broken), has_broken_tangent);
-  chapter.check(question.title + ": share of the cases that arrives", share_of_arrivals(all),
-                question.least, question.most);
+  chapter.check(Kind::self_consistency, question.title + ": share of the cases that arrives",
+                share_of_arrivals(all), question.least, question.most);
   if (!broken.empty())
-    chapter.check(question.title + ": share that arrives with a broken tangent",
+    chapter.check(Kind::control, question.title + ": share that arrives with a broken tangent",
                   share_of_arrivals(broken), 0, question.most_broken);
 }
 

@@ -130,11 +130,14 @@ void limits(Chapter& chapter, const Context& context) {
       panel.curves.push_back(sweep_load(scene, elements, loads, counts));
       table.rows.push_back(discrete_limits(scene, elements, counts));
     }
-    chapter.check(scene.name + ": loads with a steady state at which Newton fails", counts.failures,
+    chapter.check(Kind::other_method,
+                  scene.name + ": loads with a steady state at which Newton fails", counts.failures,
                   0, 0);
-    chapter.check(scene.name + ": loads at rest that the interior point does not certify",
+    chapter.check(Kind::self_consistency,
+                  scene.name + ": loads at rest that the interior point does not certify",
                   counts.unseen_rest, 0, 0);
-    chapter.check(scene.name + ": discrete limits, farthest load that is not decided",
+    chapter.check(Kind::other_method,
+                  scene.name + ": discrete limits, farthest load that is not decided",
                   counts.undecided, 0, 1e-3);
     chapter.text(scene.name + ", three meshes of " + std::to_string(loads) +
                  " loads each: Newton returned a number for " + std::to_string(counts.false_flows) +

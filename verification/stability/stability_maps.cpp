@@ -227,19 +227,22 @@ void maps(Chapter& chapter, const Context& context) {
                             recommended ? io::rounded(result.largest_error, 2) : ""});
       if (recommended) {
         const std::string label = scene.name + ", " + method.label;
-        chapter.check(label + ": cells of the map without success", result.cells - result.successes,
-                      0, 0);
-        chapter.check(label + ": most Newton iterations",
+        chapter.check(Kind::self_consistency, label + ": cells of the map without success",
+                      result.cells - result.successes, 0, 0);
+        chapter.check(Kind::self_consistency, label + ": most Newton iterations",
                       result.if_all_succeed(result.most_iterations), 1, most_iterations_allowed);
-        chapter.check(label + ": farthest velocity from the answer found element by element",
+        chapter.check(Kind::other_method,
+                      label + ": farthest velocity from the answer found element by element",
                       result.if_all_succeed(result.largest_error), 0, largest_error_allowed);
-        chapter.check(label + ": smallest distance from the reference, over that in theory",
+        chapter.check(Kind::other_method,
+                      label + ": smallest distance from the reference, over that in theory",
                       result.if_all_succeed(result.smallest_ratio), 0.99, 1.01);
-        chapter.check(label + ": largest distance from the reference, over that in theory",
+        chapter.check(Kind::other_method,
+                      label + ": largest distance from the reference, over that in theory",
                       result.if_all_succeed(result.largest_ratio), 0.99, 1.01);
       } else if (method.options.tangent_term == shear::TangentTerm::wrong_sign) {
-        chapter.check(scene.name + ", wrong sign of η': successes (must be few)", result.successes,
-                      0, result.cells / 2);
+        chapter.check(Kind::control, scene.name + ", wrong sign of η': successes (must be few)",
+                      result.successes, 0, result.cells / 2);
       }
       context.progress(static_cast<double>(++done) /
                        static_cast<double>(scenes.size() * variants.size()));

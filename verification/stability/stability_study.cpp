@@ -31,8 +31,9 @@ void interior_point_counts(Chapter& chapter, const Context& context) {
       }
       table.rows.back().resize(table.header.size());
       const std::string label = scene.name + ", " + order_case.name + ", interior point: ";
-      chapter.check(label + "meshes on which it does not converge", failures, 0, 0);
-      chapter.check(label + "most factorisations", most, 1, most_allowed);
+      chapter.check(Kind::self_consistency, label + "meshes on which it does not converge",
+                    failures, 0, 0);
+      chapter.check(Kind::self_consistency, label + "most factorisations", most, 1, most_allowed);
     }
   chapter.table(std::move(table));
 }
@@ -76,10 +77,12 @@ void round_off_floor(Chapter& chapter, const Context&) {
     panel.curves.push_back(compensated);
   }
   panel.curves.push_back({"residual = floor", {1e-16, 1}, {1e-16, 1}, io::Style::dashed});
-  chapter.check("plain double: largest final residual over computed floor", largest, 0, 1);
-  chapter.check("plain double: smallest final residual over computed floor", smallest, 1e-3, 1);
-  chapter.check("compensated: largest final residual, λr down to 1e-12", largest_compensated, 0,
-                1e-10);
+  chapter.check(Kind::self_consistency, "plain double: largest final residual over computed floor",
+                largest, 0, 1);
+  chapter.check(Kind::self_consistency, "plain double: smallest final residual over computed floor",
+                smallest, 1e-3, 1);
+  chapter.check(Kind::self_consistency, "compensated: largest final residual, λr down to 1e-12",
+                largest_compensated, 0, 1e-10);
   chapter.figure(
       {"floor",
        "Where the residual in plain double ends, against the floor computed with it, "
