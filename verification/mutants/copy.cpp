@@ -65,6 +65,11 @@ std::set<int> numbers_in(const fs::path& file) {
   return numbers;
 }
 
+// Of the scripts, of what does not compile, and of the catalogue: the copy has other sources.
+bool looks_at_sources(const std::string& test) {
+  return test == "run_test" || test == "incomplete_law_test" || test.starts_with("mutants_");
+}
+
 // Whether it passes; what it then took and came by is kept for the next time with this code.
 bool try_without_mutant(Verifier& verifier, const fs::path& folder, const std::string& code) {
   const fs::path reached = folder / verifier.name, known = folder / (verifier.name + ".seconds");
@@ -118,9 +123,7 @@ std::vector<Verifier> verifiers(const fs::path& copy, int jobs) {
     for (const nlohmann::json& property : test.at("properties"))
       if (property.at("name") == "WORKING_DIRECTORY")
         verifier.folder = property.at("value").get<std::string>();
-    // These look at the scripts and at the compiler.
-    if (verifier.name != "run_test" && verifier.name != "incomplete_law_test")
-      all.push_back(verifier);
+    if (!looks_at_sources(verifier.name)) all.push_back(verifier);
   }
   fs::create_directories(copy / "reached");
   const std::string code = fingerprint(copy);
