@@ -55,11 +55,11 @@ void remove_chapter(const io::ResultFolder& folder) {
 
 void write_chapter_files(const io::ResultFolder& folder, const Chapter& chapter, bool is_full,
                          double seconds) {
-  io::Table checks{"", {"check", "value", "lower", "upper", "holds", "against"}, {}};
+  io::Table checks{"", {"check", "against", "value", "lower", "upper", "holds"}, {}};
   for (const auto& check : chapter.checks)
-    checks.rows.push_back({check.what, io::exact(check.value), io::exact(check.lower),
-                           io::exact(check.upper), check.passed() ? "yes" : "no",
-                           name_of(check.kind)});
+    checks.rows.push_back({check.what, name_of(check.kind), io::exact(check.value),
+                           io::exact(check.lower), io::exact(check.upper),
+                           check.passed() ? "yes" : "no"});
   folder.write("checks.csv", io::to_csv(checks));
   int tables = 0;
   for (const auto& block : chapter.blocks) {
@@ -84,8 +84,8 @@ std::optional<Record> read_chapter(const std::filesystem::path& folder) {
     const json contents = json::parse(file);
     Record record{{"", "", contents.at("body"), {}, contents.at("seconds")}, contents.at("full")};
     for (const json& row : contents.at("checks"))
-      record.written.checks.push_back({row.at(0), number_in(row.at(1)), number_in(row.at(2)),
-                                       number_in(row.at(3)), kind_named(row.at(5))});
+      record.written.checks.push_back({row.at(0), number_in(row.at(2)), number_in(row.at(3)),
+                                       number_in(row.at(4)), kind_named(row.at(1))});
     return record;
   } catch (const std::exception&) {  // of JSON, or no kind of check
     return std::nullopt;
