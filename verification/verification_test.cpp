@@ -55,13 +55,14 @@ BOOST_AUTO_TEST_CASE(every_kind_of_check_has_a_name_of_its_own_and_is_read_back)
 }
 
 BOOST_AUTO_TEST_CASE(a_number_of_another_code_is_held_within_its_uncertainty_and_names_its_source) {
-  const verification::Reference known{10, 0.5, "a book"};
+  const verification::Reference known{10, 0.5, "a book", Kind::publication};
   Chapter chapter;
-  BOOST_TEST(chapter.check(Kind::self_consistency, "ours", 10.4, known));
+  BOOST_TEST(chapter.check("ours", 10.4, known));
   BOOST_TEST(chapter.checks.front().what == "ours (a book)");
+  BOOST_TEST((chapter.checks.front().kind == Kind::publication));
   for (const double apart : {9.4, 10.6, std::numeric_limits<double>::quiet_NaN()})
-    BOOST_TEST(!chapter.check(Kind::self_consistency, "ours", apart, known));
-  BOOST_TEST(chapter.check(Kind::self_consistency, "ours", 10.9, known.within(0.1)));
+    BOOST_TEST(!chapter.check("ours", apart, known));
+  BOOST_TEST(chapter.check("ours", 10.9, known.within(0.1)));
   BOOST_TEST(verification::references::cylinder_creep(0.04).drag.value == 4.61716);
   BOOST_CHECK_THROW(verification::references::cylinder_creep(0.02), std::out_of_range);
 }

@@ -37,10 +37,8 @@ void judge_meshes(Chapter& chapter, const std::vector<FinerMeshes>& runs, double
     const auto& [drag, velocity] = references::cylinder_creep(loading);
     const auto& finest = creeps.back().measures;
     const std::string name = "F = " + io::rounded(loading) + ": ";
-    chapter.check(Kind::other_code, name + "drag on the finest mesh", finest.drag,
-                  drag.within(room));
-    chapter.check(Kind::other_code, name + "U on the finest mesh", finest.mean_velocity,
-                  velocity.within(room));
+    chapter.check(name + "drag on the finest mesh", finest.drag, drag.within(room));
+    chapter.check(name + "U on the finest mesh", finest.mean_velocity, velocity.within(room));
   }
   const bool balances =
       chapter.check(Kind::self_consistency, "weight against walls and cylinder: worst imbalance",

@@ -1,19 +1,16 @@
 #include "verification/fuzz/campaign.hpp"
 
-#include <atomic>
-#include <csignal>
+#include <mutex>
 #include <ostream>
-#include <thread>
 
 #include "common/io/progress.hpp"
 #include "common/testing/temporary_folder.hpp"
+#include "verification/harness/workers.hpp"
 
 namespace talus::fuzz {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::atomic<bool> is_interrupted = false;
 
 struct Task {
   const Kind* kind;
@@ -50,7 +47,7 @@ Findings campaign(const CampaignOptions& options, const fs::path& folder, std::o
   Findings findings;
   io::Progress progress;
   std::mutex mutex;
-  std::atomic<std::size_t> next = 0;
+  std::size_t done = 0;
 
   const auto note = [&](const Task& task, const Trial& trial) {
     const std::lock_guard lock(mutex);
@@ -62,35 +59,24 @@ Findings campaign(const CampaignOptions& options, const fs::path& folder, std::o
     }
     progress.show(task.kind->name + " " + std::to_string(task.number) + ", " +
                       std::to_string(findings.faults.size()) + " faults",
-                  static_cast<double>(next) / static_cast<double>(tasks.size()));
+                  static_cast<double>(++done) / static_cast<double>(tasks.size()));
   };
-  const auto work = [&] {
-    for (std::size_t i; (i = next++) < tasks.size() && !is_interrupted;) {
-      const Task& task = tasks[i];
-      const std::string name = task.kind->name + "_" + std::to_string(task.number);
-      fs::create_directory(scratch.path() / name);
-      Trial trial(programs, Random(options.seed, task.kind->name, task.number),
-                  scratch.path() / name);
-      try {
-        task.kind->run(trial);
-      } catch (const std::exception& error) {
-        trial.expect(false, std::string("the fuzz itself: ") + error.what());
-      }
-      std::error_code ignored;
-      fs::remove_all(trial.folder, ignored);
-      note(task, trial);
+  const bool is_done = process::in_parallel(options.jobs, tasks.size(), [&](std::size_t i) {
+    const Task& task = tasks[i];
+    const std::string name = task.kind->name + "_" + std::to_string(task.number);
+    fs::create_directory(scratch.path() / name);
+    Trial trial(programs, Random(options.seed, task.kind->name, task.number),
+                scratch.path() / name);
+    try {
+      task.kind->run(trial);
+    } catch (const std::exception& error) {
+      trial.expect(false, std::string("the fuzz itself: ") + error.what());
     }
-  };
-
-  const auto stop = [](int) { is_interrupted = true; };
-  const auto old_int = std::signal(SIGINT, stop), old_term = std::signal(SIGTERM, stop);
-  {
-    std::vector<std::jthread> workers;
-    for (int i = 0; i < options.jobs; ++i) workers.emplace_back(work);
-  }
-  std::signal(SIGINT, old_int);
-  std::signal(SIGTERM, old_term);
-  findings.interrupted = is_interrupted;
+    std::error_code ignored;
+    fs::remove_all(trial.folder, ignored);
+    note(task, trial);
+  });
+  findings.interrupted = !is_done;
   return findings;
 }
 

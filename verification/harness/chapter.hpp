@@ -13,23 +13,6 @@
 
 namespace talus::verification {
 
-/// What a check holds a number against.
-enum class Kind {
-  exact,             ///< an exact solution
-  manufactured,      ///< a solution that the load was made for
-  other_code,        ///< what another code finds
-  publication,       ///< what is printed
-  other_method,      ///< another method, model or formula here
-  self_consistency,  ///< what must hold of any solution, or from run to run
-  control            ///< something broken, which must be noticed
-};
-inline constexpr Kind kinds_of_checks[] = {
-    Kind::exact,        Kind::manufactured,     Kind::other_code, Kind::publication,
-    Kind::other_method, Kind::self_consistency, Kind::control};
-std::string name_of(Kind kind);
-/// Throws std::out_of_range.
-Kind kind_named(const std::string& name);
-
 /// A number and the bounds it must keep, both included. NaN keeps none.
 struct Check {
   std::string what;
@@ -48,8 +31,8 @@ struct Chapter {
   void table(io::Table table) { blocks.emplace_back(std::move(table)); }
   void figure(io::Figure figure) { blocks.emplace_back(std::move(figure)); }
   /// A number within the uncertainty of another's.
-  bool check(Kind kind, const std::string& what, double value, const Reference& reference) {
-    return check(kind, what + " (" + reference.source + ")", value,
+  bool check(const std::string& what, double value, const Reference& reference) {
+    return check(reference.kind, what + " (" + reference.source + ")", value,
                  reference.value - reference.uncertainty, reference.value + reference.uncertainty);
   }
   /// Returns whether it holds, for the sentences that rest on it.

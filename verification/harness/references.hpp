@@ -6,13 +6,31 @@
 
 namespace talus::verification {
 
+/// What a check holds a number against.
+enum class Kind {
+  exact,             ///< an exact solution
+  manufactured,      ///< a solution that the load was made for
+  other_code,        ///< what another code finds
+  publication,       ///< what is printed
+  other_method,      ///< another method, model or formula here
+  self_consistency,  ///< what must hold of any solution, or from run to run
+  control            ///< something broken, which must be noticed
+};
+inline constexpr Kind kinds_of_checks[] = {
+    Kind::exact,        Kind::manufactured,     Kind::other_code, Kind::publication,
+    Kind::other_method, Kind::self_consistency, Kind::control};
+std::string name_of(Kind kind);
+/// Throws std::out_of_range.
+Kind kind_named(const std::string& name);
+
 /// A number, and how far from it one may be.
 struct Reference {
   double value = 0, uncertainty = 0;
   const char* source = "";
+  Kind kind = Kind::other_code;
 
   /// With a share of the value for its uncertainty: coarser meshes need more room.
-  constexpr Reference within(double share) const { return {value, share * value, source}; }
+  constexpr Reference within(double share) const { return {value, share * value, source, kind}; }
 };
 
 namespace references {
@@ -24,7 +42,8 @@ inline constexpr Reference heap_flow_rate_on_70x100{
     82.2993, 1e-4, "the same solver on 70x100 uniform elements, no slip"};
 inline constexpr Reference heap_flow_rate_limit{
     82.495, 0.001,
-    "ours: 82.4925 on 70x100, 82.4941 on 140x200, graded quadratically, friction at the wall"};
+    "ours: 82.4925 on 70x100, 82.4941 on 140x200, graded quadratically, friction at the wall",
+    Kind::other_method};
 
 /// The cylinder in creep, eq. (12) at λr = 1e-6: drag in p_ext D, U in sqrt(p_ext/(φρ)). Throws
 /// std::out_of_range for a loading that the source does not have.

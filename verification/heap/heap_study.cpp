@@ -83,11 +83,9 @@ void mesh_error(Chapter& chapter, const Context& context) {
       curve.x.push_back(1.0 / across);
       curve.y.push_back(std::abs(found.value - limit_rate) / limit_rate);
       if (across == 35 && family.grading > 1)
-        chapter.check(Kind::other_code, "Q* on 35x50 graded", found.value,
-                      references::heap_flow_rate);
+        chapter.check("Q* on 35x50 graded", found.value, references::heap_flow_rate);
       if (across == 70 && family.label == families[0].label)
-        chapter.check(Kind::other_code, "Q* on 70x100 uniform", found.value,
-                      references::heap_flow_rate_on_70x100);
+        chapter.check("Q* on 70x100 uniform", found.value, references::heap_flow_rate_on_70x100);
     }
     orders.push_back(fitted_order(curve.x, curve.y));
     if (family.grading == 1)

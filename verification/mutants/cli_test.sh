@@ -27,4 +27,9 @@ printf '== common/rheology/friction_law.cpp\nstale: a line of long ago\n- long_a
 run "$mutants" --tree "$tree" --catalogue "$work/catalogue" --copy "$work/copy"
 check expect_code 2
 check expect_text stderr old/stale "stands 0 times"
+# No copy over what is no copy, such as a tree of sources.
+run "$mutants" --tree "$tree" --copy "$work/catalogue"
+check expect_code 2
+check expect_text stderr "--copy" "holds something else"
+check test "$(ls "$work/catalogue")" = old.txt
 finish

@@ -13,8 +13,9 @@
 #include "common/io/table.hpp"
 #include "common/testing/temporary_folder.hpp"
 #include "verification/harness/process.hpp"
+#include "verification/harness/workers.hpp"
 #include "verification/mutants/instrument.hpp"
-#include "verification/mutants/workers.hpp"
+#include "verification/mutants/verifier_run.hpp"
 
 namespace talus::mutants {
 namespace {
@@ -65,11 +66,6 @@ std::set<int> numbers_in(const fs::path& file) {
   return numbers;
 }
 
-// Of the scripts, of what does not compile, and of the catalogue: the copy has other sources.
-bool looks_at_sources(const std::string& test) {
-  return test == "run_test" || test == "incomplete_law_test" || test.starts_with("mutants_");
-}
-
 // Whether it passes; what it then took and came by is kept for the next time with this code.
 bool try_without_mutant(Verifier& verifier, const fs::path& folder, const std::string& code) {
   const fs::path reached = folder / verifier.name, known = folder / (verifier.name + ".seconds");
@@ -98,13 +94,16 @@ void make_copy(const fs::path& tree, const fs::path& copy, const std::vector<Mut
   for (const auto& [file, here] : of_file)
     if (std::ranges::find(files, file) == files.end())
       throw io::UserError(here.front().mutant->name + ": there is no " + file.string());
+  if (fs::exists(copy) && !fs::is_empty(copy) && !fs::exists(copy / choice_header_name))
+    throw io::UserError("--copy: '" + copy.string() +
+                        "' holds something else; a folder that is empty, or not there, is needed");
+  write_if_changed(copy / choice_header_name, choice_header());
   for (const fs::path& file : files) {
     const std::string text = contents_of(tree / file);
     const auto here = of_file.find(file);
     write_if_changed(copy / file, here == of_file.end() ? text : instrumented(text, here->second));
     fs::permissions(copy / file, fs::status(tree / file).permissions());
   }
-  write_if_changed(copy / choice_header_name, choice_header());
 }
 
 void build(const fs::path& copy) {
@@ -120,15 +119,19 @@ std::vector<Verifier> verifiers(const fs::path& copy, int jobs) {
   const nlohmann::json listing = nlohmann::json::parse(listed.out);
   for (const nlohmann::json& test : listing.at("tests")) {
     Verifier verifier{test.at("name"), test.at("command"), copy / "build/release"};
-    for (const nlohmann::json& property : test.at("properties"))
-      if (property.at("name") == "WORKING_DIRECTORY")
-        verifier.folder = property.at("value").get<std::string>();
-    if (!looks_at_sources(verifier.name)) all.push_back(verifier);
+    bool reads_sources = false;  // which are others in the copy
+    for (const nlohmann::json& property : test.at("properties")) {
+      const nlohmann::json& value = property.at("value");
+      if (property.at("name") == "WORKING_DIRECTORY") verifier.folder = value.get<std::string>();
+      if (property.at("name") == "LABELS")
+        reads_sources = std::ranges::find(value, "reads-sources") != value.end();
+    }
+    if (!reads_sources) all.push_back(verifier);
   }
   fs::create_directories(copy / "reached");
   const std::string code = fingerprint(copy);
   std::vector<std::string> failures(all.size());
-  const bool is_done = in_parallel(jobs, all.size(), [&](std::size_t i) {
+  const bool is_done = process::in_parallel(jobs, all.size(), [&](std::size_t i) {
     if (!try_without_mutant(all[i], copy / "reached", code)) failures[i] = all[i].name;
   });
   if (!is_done) throw std::runtime_error("interrupted; the same command goes on from here");

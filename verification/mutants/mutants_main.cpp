@@ -11,7 +11,6 @@
 #include <CLI/CLI.hpp>
 
 #include "common/io/options.hpp"
-#include "common/io/progress.hpp"
 #include "common/io/result_folder.hpp"
 #include "verification/harness/html_report.hpp"
 #include "verification/mutants/propose.hpp"
@@ -103,8 +102,7 @@ int run(const Options& options) {
   write_results(folder, mutants, verdicts, campaign.pursuit);
   io::print(std::cout, score_table(scores(mutants, verdicts), campaign.pursuit));
   std::cout << "Open " << options.output << "/index.html\n";
-  const std::vector<Score> sums = scores(mutants, verdicts);
-  const Score& whole = sums.back();
+  const Score whole = scores(mutants, verdicts).back();
   return whole.mutants + whole.equivalent == static_cast<int>(numbers.size()) ? 0 : 1;
 }
 

@@ -9,7 +9,8 @@
 #include "common/io/options.hpp"
 #include "common/io/result_folder.hpp"
 #include "common/testing/temporary_folder.hpp"
-#include "verification/mutants/workers.hpp"
+#include "verification/harness/workers.hpp"
+#include "verification/mutants/verifier_run.hpp"
 
 namespace talus::mutants {
 namespace {
@@ -105,12 +106,12 @@ std::vector<std::optional<Verdict>> pursue(const Campaign& campaign,
     if (!verdicts[i]) left.push_back(i);
   }
   std::mutex mutex;
-  in_parallel(campaign.jobs, left.size(), [&](std::size_t k) {
+  process::in_parallel(campaign.jobs, left.size(), [&](std::size_t k) {
     const std::size_t i = left[k];
     const Verdict verdict =
         pursue_one(mutants[i], static_cast<int>(i), campaign.pursuit, verifiers);
     const std::lock_guard lock(mutex);
-    if (interrupted()) return;
+    if (process::interrupted()) return;
     verdicts[i] = verdict;
     memory.add(verdict);
     tell(verdict);
@@ -149,7 +150,7 @@ io::Table score_table(const std::vector<Score>& scores, Pursuit pursuit) {
   for (const Score& score : scores) {
     table.rows.push_back({score.area, std::to_string(score.mutants),
                           std::to_string(score.equivalent), std::to_string(score.killed),
-                          io::fixed(100 * score.share(), 1) + " %"});
+                          score.mutants == 0 ? "-" : io::fixed(100 * score.share(), 1) + " %"});
     if (has_studies) table.rows.back().push_back(std::to_string(score.killed_by_studies));
   }
   return table;

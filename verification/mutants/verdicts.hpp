@@ -45,7 +45,8 @@ std::vector<std::optional<Verdict>> pursue(const Campaign& campaign,
 struct Score {
   std::string area;
   int mutants = 0, equivalent = 0, killed = 0, killed_by_studies = 0;
-  double share() const { return mutants == 0 ? 1 : static_cast<double>(killed) / mutants; }
+  /// Killed of all; NaN of none.
+  double share() const { return static_cast<double>(killed) / mutants; }
 };
 std::vector<Score> scores(const std::vector<Mutant>& mutants,
                           const std::vector<std::optional<Verdict>>& verdicts);

@@ -1,18 +1,10 @@
-// Verifiers run side by side, each in a folder of its own.
+// A verifier run in a folder of its own.
 #pragma once
-
-#include <functional>
 
 #include "verification/harness/process.hpp"
 #include "verification/mutants/copy.hpp"
 
 namespace talus::mutants {
-
-/// Calls `work` for 0 to count - 1, so many at a time, until SIGINT or SIGTERM. Whether all were
-/// called.
-bool in_parallel(int jobs, std::size_t count, const std::function<void(std::size_t)>& work);
-/// Whether one of these came.
-bool interrupted();
 
 struct Run {
   process::Outcome outcome;
