@@ -175,15 +175,14 @@ std::string html_of(const Written& chapter) {
 
 // How many checks there are against what.
 std::string html_of_kinds(const std::vector<Written>& chapters) {
-  std::string heads = "<table><tr><th>checks against", counts = "<tr><td>";
+  std::string html = "<table><tr><th>held against<th>checks</tr>\n";
   for (const Kind kind : kinds_of_checks) {
     std::ptrdiff_t count = 0;
     for (const Written& chapter : chapters)
       count += std::ranges::count(chapter.checks, kind, &Check::kind);
-    heads += "<th>" + name_of(kind);
-    counts += "<td>" + std::to_string(count);
+    html += "<tr><td>" + name_of(kind) + "<td>" + std::to_string(count) + "</tr>\n";
   }
-  return heads + "</tr>\n" + counts + "</tr></table>\n";
+  return html + "</table>\n";
 }
 
 std::string html_report(const std::vector<Written>& chapters, const std::string& command) {

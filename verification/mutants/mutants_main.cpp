@@ -12,6 +12,7 @@
 
 #include "common/io/options.hpp"
 #include "common/io/result_folder.hpp"
+#include "common/io/shell.hpp"
 #include "verification/harness/html_report.hpp"
 #include "verification/mutants/propose.hpp"
 #include "verification/mutants/verdicts.hpp"
@@ -26,6 +27,11 @@ struct Options {
   std::string output = "results/mutants";
   int jobs = 2, count = 10, seed = 1;
   bool list = false;
+
+  std::string command() const {
+    return "./run mutants --pursue " + pursue +
+           (only.empty() ? "" : " --only " + io::shell_word(only));
+  }
 };
 
 Pursuit pursuit_of(const std::string& name) {
@@ -45,22 +51,24 @@ std::vector<std::size_t> chosen(const std::vector<Mutant>& mutants, const std::s
   return numbers;
 }
 
-void write_results(const io::ResultFolder& folder, const std::vector<Mutant>& mutants,
-                   const std::vector<std::optional<Verdict>>& verdicts, Pursuit pursuit) {
-  const io::Table all = mutant_table(mutants, verdicts);
-  verification::Chapter chapter{"mutants", "How many one-line mistakes are noticed?", {}, {}};
-  io::Table score = score_table(scores(mutants, verdicts), pursuit);
-  io::Table survivors = survivor_table(mutants, verdicts), each = all;
-  score.title = "Mutants killed, by area";
+void write_results(const io::ResultFolder& folder, const std::string& command,
+                   const io::Table& score, const std::vector<Mutant>& mutants,
+                   const std::vector<std::optional<Verdict>>& verdicts) {
+  io::Table survivors = survivor_table(mutants, verdicts), each = mutant_table(mutants, verdicts);
+  folder.write("mutants.csv", io::to_csv(each));
   survivors.title = "Survivors";
   each.title = "Every mutant";
+  verification::Chapter chapter{"mutants", "How many one-line mistakes are noticed?", {}, {}};
+  chapter.text("Mutants killed, by area; no share where some are still to be run.");
   chapter.table(score);
-  chapter.table(survivors);
+  if (survivors.rows.empty())
+    chapter.text("No survivors among those that were run.");
+  else
+    chapter.table(survivors);
   chapter.table(each);
-  folder.write("mutants.csv", io::to_csv(all));
   folder.write("index.html",
                verification::html_page(
-                   "Mutants", "./run mutants",
+                   "Mutants", command,
                    verification::html_of(verification::write_chapter(chapter, folder.path()))));
 }
 
@@ -99,11 +107,12 @@ int run(const Options& options) {
               << (verdict.is_killed() ? "killed by " + verdict.killers.front() : "SURVIVES")
               << std::endl;
   });
-  write_results(folder, mutants, verdicts, campaign.pursuit);
-  io::print(std::cout, score_table(scores(mutants, verdicts), campaign.pursuit));
+  const std::vector<Score> all_scores = scores(mutants, numbers, verdicts);
+  const io::Table score = score_table(all_scores, campaign.pursuit);
+  write_results(folder, options.command(), score, mutants, verdicts);
+  io::print(std::cout, score);
   std::cout << "Open " << options.output << "/index.html\n";
-  const Score whole = scores(mutants, verdicts).back();
-  return whole.mutants + whole.equivalent == static_cast<int>(numbers.size()) ? 0 : 1;
+  return all_scores.back().not_run == 0 ? 0 : 1;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // The instrumented copy means what the catalogue says, and a mutant that is no longer of the code
 // is refused.
+#include <cmath>
 #include <fstream>
 
 #include <boost/test/unit_test.hpp>
@@ -130,14 +131,29 @@ BOOST_AUTO_TEST_CASE(a_score_counts_what_is_killed_of_what_is_not_equivalent) {
   mutants[2].name = "other/name";
   const std::vector<std::optional<Verdict>> verdicts{
       Verdict{"", {"fem_test"}}, Verdict{"", {}}, Verdict{"", {"verify_paper"}}, Verdict{"", {}}};
-  const std::vector<Score> all = scores(mutants, verdicts);
+  const std::vector<Score> all = scores(mutants, {0, 1, 2, 3}, verdicts);
   BOOST_REQUIRE(all.size() == 3);
   BOOST_TEST(all[0].share() == 0.5);
   BOOST_TEST(all.back().mutants == 3);
   BOOST_TEST(all.back().equivalent == 1);
   BOOST_TEST(all.back().killed == 2);
   BOOST_TEST(all.back().killed_by_studies == 1);
+  BOOST_TEST(all.back().not_run == 0);
   BOOST_TEST(survivor_table(mutants, verdicts).rows.size() == 1);
+}
+
+// Mutants that survive take longest: what an interrupted run has killed is no share of anything.
+BOOST_AUTO_TEST_CASE(there_is_no_score_while_a_mutant_has_no_verdict) {
+  const std::vector<Mutant> mutants(3, mutant("a", "b"));
+  const std::vector<std::optional<Verdict>> verdicts{Verdict{"", {"fem_test"}}, std::nullopt,
+                                                     std::nullopt};
+  BOOST_TEST(scores(mutants, {0}, verdicts).back().share() == 1);
+  const std::vector<Score> cut_short = scores(mutants, {0, 1}, verdicts);
+  BOOST_TEST(cut_short.back().mutants == 2);
+  BOOST_TEST(cut_short.back().not_run == 1);
+  BOOST_TEST(std::isnan(cut_short.back().share()));
+  BOOST_TEST(score_table(cut_short, Pursuit::first_kill).rows.back().back() == "-");
+  BOOST_TEST(std::isnan(scores(mutants, {}, verdicts).back().share()));
 }
 
 BOOST_AUTO_TEST_CASE(the_catalogue_is_of_this_code) {

@@ -1,7 +1,9 @@
 #include "verification/mutants/verdicts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <mutex>
 
@@ -119,20 +121,23 @@ std::vector<std::optional<Verdict>> pursue(const Campaign& campaign,
   return verdicts;
 }
 
+double Score::share() const {
+  return not_run > 0 || mutants == 0 ? std::numeric_limits<double>::quiet_NaN()
+                                     : static_cast<double>(killed) / mutants;
+}
+
 std::vector<Score> scores(const std::vector<Mutant>& mutants,
+                          const std::vector<std::size_t>& chosen,
                           const std::vector<std::optional<Verdict>>& verdicts) {
   std::map<std::string, Score> areas;
   Score whole{"all"};
-  for (std::size_t i = 0; i < mutants.size(); ++i) {
-    if (!verdicts[i]) continue;
+  for (const std::size_t i : chosen) {
     const std::string area = mutants[i].name.substr(0, mutants[i].name.find('/'));
     areas[area].area = area;
     for (Score* score : {&areas[area], &whole}) {
-      if (mutants[i].is_equivalent()) {
-        ++score->equivalent;
-        continue;
-      }
-      ++score->mutants;
+      ++(mutants[i].is_equivalent() ? score->equivalent : score->mutants);
+      if (!verdicts[i]) ++score->not_run;
+      if (!verdicts[i] || mutants[i].is_equivalent()) continue;
       score->killed += verdicts[i]->is_killed();
       score->killed_by_studies += verdicts[i]->is_killed_by_a_study();
     }
@@ -144,13 +149,14 @@ std::vector<Score> scores(const std::vector<Mutant>& mutants,
 }
 
 io::Table score_table(const std::vector<Score>& scores, Pursuit pursuit) {
-  io::Table table{"", {"area", "mutants", "equivalent", "killed", "share"}, {}};
+  io::Table table{"", {"area", "mutants", "equivalent", "not run", "killed", "share"}, {}};
   const bool has_studies = pursuit != Pursuit::first_kill;
   if (has_studies) table.header.emplace_back("by studies");
   for (const Score& score : scores) {
-    table.rows.push_back({score.area, std::to_string(score.mutants),
-                          std::to_string(score.equivalent), std::to_string(score.killed),
-                          score.mutants == 0 ? "-" : io::fixed(100 * score.share(), 1) + " %"});
+    table.rows.push_back(
+        {score.area, std::to_string(score.mutants), std::to_string(score.equivalent),
+         std::to_string(score.not_run), std::to_string(score.killed),
+         std::isnan(score.share()) ? "-" : io::fixed(100 * score.share(), 1) + " %"});
     if (has_studies) table.rows.back().push_back(std::to_string(score.killed_by_studies));
   }
   return table;

@@ -41,14 +41,16 @@ std::vector<std::optional<Verdict>> pursue(const Campaign& campaign,
                                            const std::vector<Verifier>& verifiers,
                                            const std::function<void(const Verdict&)>& tell);
 
-/// Of an area of the catalogue (or all): mutants that are not equivalent and how many were killed.
+/// Of an area of the catalogue (or all): the mutants chosen that are not equivalent.
 struct Score {
   std::string area;
   int mutants = 0, equivalent = 0, killed = 0, killed_by_studies = 0;
-  /// Killed of all; NaN of none.
-  double share() const { return static_cast<double>(killed) / mutants; }
+  int not_run = 0;  ///< without a verdict, equivalent or not
+  /// Killed of all; NaN of none, and while some have no verdict: those left are the slow ones.
+  double share() const;
 };
 std::vector<Score> scores(const std::vector<Mutant>& mutants,
+                          const std::vector<std::size_t>& chosen,
                           const std::vector<std::optional<Verdict>>& verdicts);
 
 /// Scores by area, the whole last.
