@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <SuiteSparse_config.h>
+#include <malloc.h>
 #include <omp.h>
 #include <sys/mman.h>
 
@@ -45,6 +46,13 @@ void* reallocate(void* block, std::size_t size) {
   return on_huge_pages(std::realloc(block, size), size);
 }
 
+// What one factorisation frees the next asks for: only the largest blocks go back to the kernel,
+// which would clear the pages of all others every time.
+void keep_freed_memory() {
+  mallopt(M_MMAP_THRESHOLD, 1 << 25);  // the largest that it takes
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+}
+
 // OpenBLAS takes its buffer at its first product, and waits for it for ever where there is no
 // memory. It keeps it: so let it ask while there is.
 void let_blas_have_its_buffer() {
@@ -64,6 +72,7 @@ void let_blas_have_its_buffer() {
 }  // namespace
 
 void prepare_sparse_libraries() {
+  keep_freed_memory();
   omp_set_max_active_levels(0);
   if (openblas_set_num_threads) openblas_set_num_threads(1);
   let_blas_have_its_buffer();
