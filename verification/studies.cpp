@@ -5,6 +5,7 @@
 #include "verification/ladder/ladder.hpp"
 #include "verification/orders/orders_parts.hpp"
 #include "verification/paper/paper_parts.hpp"
+#include "verification/references/references_study.hpp"
 #include "verification/stability/stability_parts.hpp"
 
 namespace talus::verification {
@@ -23,6 +24,11 @@ const std::vector<Study>& studies() {
       {"paper",
        "Which figures of the paper do we reproduce, and which not?",
        {{"", paper_study, {0.03, 0.03}}}},
+      {"references",
+       "What do others find for the same scenes?",
+       {{"lines", references_of_lines, {0.01, 0.01}},
+        {"heap", references_of_heap, {0.1, 0.6}},
+        {"cylinder", references_of_cylinder, {0.2, 4}}}},
       {"cost",
        "What is the cheapest way to a given error?",
        {{"lines", line_costs, {0.16, 0.5}, true},

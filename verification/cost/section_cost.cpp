@@ -6,7 +6,7 @@
 #include "verification/cost/cost_parts.hpp"
 #include "verification/harness/fit.hpp"
 #include "verification/harness/methods.hpp"
-#include "verification/harness/references.hpp"
+#include "verification/references/references.hpp"
 
 namespace talus::verification {
 namespace {

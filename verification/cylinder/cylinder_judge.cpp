@@ -7,7 +7,7 @@
 
 #include "verification/cylinder/cylinder_parts.hpp"
 #include "verification/harness/methods.hpp"
-#include "verification/harness/references.hpp"
+#include "verification/references/references.hpp"
 
 namespace talus::verification {
 namespace {

@@ -9,7 +9,7 @@
 #include "common/io/figure.hpp"
 #include "common/io/table.hpp"
 #include "oned/shear_scene.hpp"
-#include "verification/harness/references.hpp"
+#include "verification/harness/reference.hpp"
 
 namespace talus::verification {
 

@@ -10,7 +10,7 @@
 #include "twod/section_report.hpp"
 #include "verification/harness/fit.hpp"
 #include "verification/harness/methods.hpp"
-#include "verification/harness/references.hpp"
+#include "verification/references/references.hpp"
 
 namespace talus::verification {
 namespace {
