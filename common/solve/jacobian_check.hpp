@@ -24,7 +24,8 @@ struct Block {
   std::vector<Eigen::Index> indices;
 };
 
-/// Relative to the size of its terms, and how much of it may be round-off.
+/// Relative to the size of its terms, and how much of it may be round-off; the value is infinite
+/// where the system could not be solved.
 struct SystemError {
   double value = 0, round_off = 0;
 };

@@ -228,6 +228,10 @@ BOOST_AUTO_TEST_CASE(
   BOOST_CHECK(verdict(1e-2, 2e-2) == Verdict::not_tested);
   BOOST_CHECK(verdict(1e-12, 2e-2) == Verdict::not_tested);
   BOOST_CHECK(verdict(1e-12, not_a_number) != Verdict::right);
+  constexpr double not_solved = std::numeric_limits<double>::infinity();
+  BOOST_CHECK(verdict(not_solved, 2e-2) == Verdict::not_tested);
+  for (const double round_off : {0.0, 1e-4, not_a_number})
+    BOOST_CHECK(verdict(not_solved, round_off) == Verdict::wrong);
 }
 
 // A term that is linear, too small to be seen over the distance in which the others curve.
