@@ -2,10 +2,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+
+#include <gsl/gsl_integration.h>
 
 #include "oned/report.hpp"
 #include "verification/harness/fit.hpp"
 #include "verification/paper/paper_parts.hpp"
+#include "verification/stability/line_answer.hpp"
 
 namespace talus::verification {
 namespace {
@@ -190,19 +194,46 @@ void figure_5(Chapter& chapter, io::Table& findings, const oned::ShearScene& sce
                   3});
 }
 
-// The creep of the plug, which the paper describes without a figure.
+// What a law adds to the velocity in the middle: the integral of its shear rate under the stress
+// that equilibrium leaves no choice of, less that of eq. (4).
+double exact_creep(const oned::ShearScene& scene, const rheology::Rheology& rheology) {
+  const RateLaw regularised = rate_of(rheology), limit = rate_of(rheology.law);
+  const auto added = [&](double y) {
+    const double stress = scene.exact_stress(y), pressure = scene.pressure(y);
+    return regularised(stress, pressure).value - limit(stress, pressure).value;
+  };
+  double points[] = {0, *scene.kink, scene.length}, creep = 0, error = 0;
+  gsl_function integrand{[](double y, void* f) { return (*static_cast<decltype(added)*>(f))(y); },
+                         const_cast<void*>(static_cast<const void*>(&added))};
+  constexpr std::size_t intervals = 1000;
+  const std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> space(
+      gsl_integration_workspace_alloc(intervals), &gsl_integration_workspace_free);
+  gsl_integration_qagp(&integrand, points, 3, 0, 1e-8, intervals, space.get(), &creep, &error);
+  return creep;
+}
+
+// The creep of the plug, which the paper describes without a figure: of first order in λr, with the
+// factor that its law gives.
 void creep(Chapter& chapter, io::Table& findings, const oned::ShearScene& scene) {
-  const auto line = oned::boundaries(scene, {.elements = 340, .align = 0.0});
-  const double lambda_r = 1e-5;
-  const auto regular =
-      solve_or_nan(scene, line, newton_method(rheology::ChauchatMedale{}, lambda_r).options);
+  // Towards the edge of the plug the added rate grows as one over the square root of the distance,
+  // of which a mesh misses a share that falls as the square root of its elements.
+  const auto line = oned::boundaries(scene, {.elements = 21760, .align = 0.0});
+  constexpr double lambda_r = 1e-5;
   const auto reference = solve_or_nan(scene, line, reference_method().options);
-  const double creep = (oned::velocity_at(regular, 0) - oned::velocity_at(reference, 0)) / lambda_r;
-  const bool agrees =
-      chapter.check(Kind::exact, "creep of the plug over λr, eq. (12)", creep, 10.0, 11.0);
+  bool agrees = true;
+  double of_eq_12 = std::nan("");
+  for (const NamedMethod& method : yield_stress_methods(lambda_r)) {
+    const auto regular = solve_or_nan(scene, line, method.options);
+    const double found = oned::velocity_at(regular, 0) - oned::velocity_at(reference, 0);
+    const double exact = exact_creep(scene, {scene.law(), method.options.regularisation, lambda_r});
+    agrees &= chapter.check(Kind::exact, "creep of the plug over its integral, " + method.label,
+                            found / exact, 1 - 1e-3, 1 + 1e-3);
+    if (method.label == rheology::ChauchatMedale::name) of_eq_12 = found / lambda_r;
+  }
   add_finding(findings, "section 3.1",
               "creep of the plug “of order of the regularisation parameter”",
-              io::fixed(creep, 2) + " λr", agrees, "agrees; the factor is that of this p and b");
+              io::fixed(of_eq_12, 2) + " λr with eq. (12)", agrees,
+              "agrees; the factor is that of this p and b");
 }
 
 }  // namespace
