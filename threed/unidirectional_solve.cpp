@@ -11,7 +11,7 @@ template <int Dim>
 mixed::MixedFlow<Dim> problem_of(const oned::ShearScene& scene, const mixed::MixedSpace<Dim>& space,
                                  const UnidirectionalOptions& options) {
   mixed::MixedFlow<Dim> problem(space, {scene.law(), options.regularisation, options.lambda_r},
-                                load_of<Dim>(scene), options.penalty);
+                                threed::load_of<Dim>(scene), options.penalty);
   mixed::set_tangent(problem, options.tangent_term);
   return problem;
 }

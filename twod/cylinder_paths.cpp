@@ -14,7 +14,7 @@ constexpr double smooth_lambda_r = 0.1, primal_dual_lambda_r = 0.01;
 // Smooth enough along the loading on fine meshes; some laws can do with the other one.
 constexpr double loading_lambda_r = 0.03;
 // What only leads on to the next λr needs no more.
-constexpr double rough = 1e-6;
+constexpr double rough_tolerance = 1e-6;
 
 // A primal-dual step is full; its residual rises before it falls, and is given time for it.
 constexpr int most_corrections = 24;
@@ -270,7 +270,7 @@ CylinderPath follow_lambda_r(CylinderFlow& cylinder, double loading, solve::Path
   cylinder.flow().set_load_factor(loading);
   options.target = std::log10(cylinder.scene().lambda_r);
   options.upper = 1;  // λr = 10: a path that climbs there has turned back for good
-  if (continuation == Continuation::primal_dual) options.on_the_way = rough;
+  if (continuation == Continuation::primal_dual) options.on_the_way = rough_tolerance;
   return follow(cylinder, mixed::RegularisationPath<2>(cylinder.flow()), std::move(start),
                 continuation, options, observe);
 }
