@@ -10,6 +10,7 @@
 #include "verification/harness/fit.hpp"
 #include "verification/harness/html_report.hpp"
 #include "verification/harness/methods.hpp"
+#include "verification/heap/heap_study.hpp"
 #include "verification/orders/orders_parts.hpp"
 #include "verification/paper/paper_parts.hpp"
 #include "verification/references/references_study.hpp"
@@ -228,6 +229,22 @@ BOOST_AUTO_TEST_CASE(numbers_of_others_are_missed_by_whatever_is_not_their_scene
        {" --regularisation papanastasiou", " --grading-to-wall 1.1", " --friction 0.384,0.26,0.279",
         " --max-iterations 1 --no-continuation"})
     BOOST_TEST((missed(cases, wrong) == std::pair(4, std::size_t{4})), wrong);
+}
+
+BOOST_AUTO_TEST_CASE(a_heap_of_another_friction_misses_every_flow_rate_that_is_known) {
+  twod::Section section;
+  section.angle = 0.42;
+  section.law.mu_s += 1e-4;
+  Chapter chapter;
+  verification::heap_mesh_error(chapter, {}, section);
+  int missed = 0, known = 0;
+  for (const auto& check : chapter.checks) {
+    if (check.kind != Kind::other_code) continue;
+    ++known;
+    missed += check.passed() ? 0 : 1;
+  }
+  BOOST_TEST(known == 2);
+  BOOST_TEST(missed == known);
 }
 
 BOOST_AUTO_TEST_CASE(a_path_without_a_point_has_no_number) {
