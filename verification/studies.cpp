@@ -28,7 +28,7 @@ const std::vector<Study>& studies() {
        "What do others find for the same scenes?",
        {{"lines", references_of_lines, {0.01, 0.01}},
         {"heap", references_of_heap, {0.1, 0.6}},
-        {"cylinder", references_of_cylinder, {0.2, 4}}}},
+        {"cylinder", references_of_cylinder, {0.3, 3}}}},
       {"cost",
        "What is the cheapest way to a given error?",
        {{"lines", line_costs, {0.16, 0.5}, true},

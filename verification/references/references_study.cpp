@@ -77,10 +77,11 @@ void check_known(Chapter& chapter, const std::vector<KnownCase>& cases, const Co
 
 void references_of_lines(Chapter& chapter, const Context& context) {
   chapter.text(
-      "Numbers that other codes found for these scenes, by people who had not seen this one. "
-      "“Room” "
-      "is what the other number is good for: its printed digits where the elements are the same, "
-      "what the meshes leave open where they are not.");
+      "Numbers that were found for these scenes with other tools, and where. “Room” is what the "
+      "other "
+      "number is good for: its printed digits where the elements are the same, what the meshes "
+      "leave "
+      "open where they are not.");
   check_known(chapter, references::known_cases({"chute", "bagnold"}), context);
 }
 
