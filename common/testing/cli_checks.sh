@@ -7,7 +7,9 @@ failures=0 checks=0
 # What is asked hundreds of times is asked of the shell: a process costs as much as many a program here.
 is_empty() {  # FOLDER
   local each
-  for each in "$1"/* "$1"/.[!.]*; do [ ! -e "$each" ] || return 1; done
+  for each in "$1"/* "$1"/.[!.]* "$1"/..?*; do
+    [ ! -e "$each" ] && [ ! -L "$each" ] || return 1
+  done
 }
 
 content_of() { content=; [ ! -f "$1" ] || IFS= read -rd '' content <"$1" || true; }  # leaves $content

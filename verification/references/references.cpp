@@ -55,7 +55,7 @@ KnownCase flow_at(const std::string& words, double drag, double mean, bool full_
           full_only};
 }
 
-KnownCase creeps_only(const std::string& loading, double mean) {
+KnownCase mean_velocity_at(const std::string& loading, double mean) {
   return {"cylinder",
           "--around 80 --regularisation barker-gray --lambda-r 1e-6 --loading " + loading,
           {{"mean_velocity", Reference{mean, 0, dolfinx_on_its_mesh}.within(0.02)}},
@@ -120,10 +120,10 @@ std::vector<KnownCase> all_cases() {
       flow_at("--around 40" + barker_gray + "0.05", 5.604445897142774, 0.02909510699275599, false),
       flow_at("--around 40" + barker_gray + "0.054", 6.077, 0.1618, false),
       flow_at("--around 80" + barker_gray + "0.054", 6.012, 0.1697, true),
-      creeps_only("0.046", 0.0037),
-      creeps_only("0.049", 0.0189),
-      creeps_only("0.05", 0.0307),
-      creeps_only("0.052", 0.0752),
+      mean_velocity_at("0.046", 0.0037),
+      mean_velocity_at("0.049", 0.0189),
+      mean_velocity_at("0.05", 0.0307),
+      mean_velocity_at("0.052", 0.0752),
       flow_at("--around 160" + barker_gray + "0.05", 5.532, 0.03142, true)};
 }
 

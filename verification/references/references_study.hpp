@@ -6,9 +6,9 @@
 
 namespace talus::verification {
 
-/// The results of each command against what is known of them.
-void check_known(Chapter& chapter, const std::vector<references::KnownCase>& cases,
-                 const Context& context);
+/// The results of each command against what is known of them, in a table and a figure of this name.
+void check_known(Chapter& chapter, const std::string& name,
+                 const std::vector<references::KnownCase>& cases, const Context& context);
 
 /// On lines: the chute and the inclined plane.
 void references_of_lines(Chapter& chapter, const Context& context);
