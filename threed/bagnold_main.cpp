@@ -10,8 +10,6 @@
 //   bagnold --model plane --elements 20 --grading 2 --tangent primal-dual
 //   bagnold --model space --elements 10 --lambda-r 1e-6 --tolerance 1e-14 --plot
 //   bagnold --model plane --elements 5 --check-jacobian
-#include <CLI/CLI.hpp>
-
 #include "common/io/options.hpp"
 #include "oned/bagnold.hpp"
 #include "threed/unidirectional_program.hpp"
@@ -19,20 +17,20 @@
 using namespace talus;
 
 int main(int argc, char** argv) {
-  CLI::App app{"Dense granular flow down an inclined plane, quadratic elements", "bagnold"};
+  io::CommandLine line{"Dense granular flow down an inclined plane, quadratic elements", "bagnold"};
   oned::Bagnold bagnold;
   threed::UnidirectionalProgram options;
   options.method.lambda_r = scene_of(bagnold).lambda_r;
-  io::add_angle(app, "--angle", bagnold.angle, "Inclination α", 1e-3, 1.57);
-  io::add_real(app, "--height", bagnold.height, "Depth of the layer H, in d", 1e-3, 1e6);
-  threed::add_options(app, options, "bagnold");
+  io::add_angle(line, "--angle", bagnold.angle, "Inclination α", 1e-3, 1.57);
+  io::add_real(line, "--height", bagnold.height, "Depth of the layer H, in d", 1e-3, 1e6);
+  threed::add_options(line, options, "bagnold");
   const scene::Description description =
       threed::description_of(scene_of(bagnold), {"--angle", "--height", "--friction"});
-  scene::Case a_case(app, description);
+  scene::Case a_case(line, description);
   return a_case.run_program(argc, argv, [&] {
     bagnold.law = friction_law(options.method);
     bagnold.regularisation = limiting_law(options.method);
-    return run(app, scene_of(bagnold), options,
+    return run(line, scene_of(bagnold), options,
                {{"angle", bagnold.angle}, {"height", bagnold.height}}, a_case);
   });
 }

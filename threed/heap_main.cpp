@@ -16,8 +16,6 @@
 #include <iostream>
 #include <optional>
 
-#include <CLI/CLI.hpp>
-
 #include "common/mixed/mixed_jacobian.hpp"
 #include "common/program/summary.hpp"
 #include "common/scene/case.hpp"
@@ -162,9 +160,9 @@ void add_size(nlohmann::json& results, const Options& options) {
       std::sqrt(options.section.width / 2 * options.section.height / (across * up));
 }
 
-int run(const CLI::App& app, Options& options, scene::Case& a_case) {
+int run(const io::CommandLine& line, Options& options, scene::Case& a_case) {
   // 1. What the options mean together.
-  threed::interpret(app, options);
+  threed::interpret(line, options);
   threed::admit(options);
   solve::set_threads(options.threads);
   if (a_case.is_dry_run()) return 0;
@@ -210,9 +208,9 @@ int run(const CLI::App& app, Options& options, scene::Case& a_case) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Dense granular flow on a heap between side walls", "heap"};
+  io::CommandLine line{"Dense granular flow on a heap between side walls", "heap"};
   Options options;
-  threed::add_options(app, options);
-  scene::Case a_case(app, threed::description());
-  return a_case.run_program(argc, argv, [&] { return run(app, options, a_case); });
+  threed::add_options(line, options);
+  scene::Case a_case(line, threed::description());
+  return a_case.run_program(argc, argv, [&] { return run(line, options, a_case); });
 }

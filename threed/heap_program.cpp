@@ -2,8 +2,6 @@
 
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "common/program/grading.hpp"
 #include "common/program/summary.hpp"
 #include "common/program/work.hpp"
@@ -12,9 +10,9 @@ namespace talus::threed {
 namespace {
 
 // A value that the model has no use for, though the option has.
-void refuse_values_of_the_other_model(const CLI::App& app, const ProgramOptions& options) {
+void refuse_values_of_the_other_model(const io::CommandLine& line, const ProgramOptions& options) {
   const auto refuse = [&](const char* option, const std::string& value, const std::string& advice) {
-    if (app.count(option) > 0)
+    if (line.is_given(option))
       throw io::UserError(std::string(option) + ": '" + value + "' is not for --model " +
                           options.model + "; " + advice);
   };
@@ -47,9 +45,9 @@ std::vector<io::Use> used_options(const ProgramOptions& options) {
 }
 
 // "70x100": elements across and up; in three dimensions those along the stream before them.
-void read_elements(const CLI::App& app, ProgramOptions& options) {
+void read_elements(const io::CommandLine& line, ProgramOptions& options) {
   constexpr long most_elements = 100000;  // of three dimensions: beyond, memory runs out
-  if (options.is_space() && app.count("--elements") == 0) options.elements = "1x70x100";
+  if (options.is_space() && !line.is_given("--elements")) options.elements = "1x70x100";
   auto& [along, section, length] = options.mesh;
   std::vector<int*> counts{&section.across, &section.up};
   if (options.is_space()) counts.insert(counts.begin(), &along);
@@ -74,57 +72,58 @@ void read_elements(const CLI::App& app, ProgramOptions& options) {
 
 }  // namespace
 
-void add_options(CLI::App& app, ProgramOptions& options) {
+void add_options(io::CommandLine& line, ProgramOptions& options) {
   options.method.method = "interior-point";
   options.method.tangent = "primal-dual";
   options.method.lambda_r = twod::default_options().lambda_r;
-  io::add_choice(app, "--model", options.model,
+  io::add_choice(line, "--model", options.model,
                  "How much of the scene is modelled: its cross-section, or velocity and pressure "
                  "in space (by Newton)",
                  {"section", "space"}, {{"3d", "space"}});
-  CLI::Option* angle =
-      io::add_angle(app, "--angle", options.section.angle, "Inclination α", 1e-3, 1.57);
-  io::add_real(app, "--flow-rate", options.flow_rate,
+  const io::Option angle =
+      io::add_angle(line, "--angle", options.section.angle, "Inclination α", 1e-3, 1.57);
+  io::add_real(line, "--flow-rate", options.flow_rate,
                "Find the angle with this flow rate Q* instead", 1e-6, 1e6)
-      ->default_str("")
-      ->excludes(angle);
-  io::add_choice(app, "--wall", options.wall,
+      .without_default()
+      .excludes(angle);
+  io::add_choice(line, "--wall", options.wall,
                  "Side wall: without slip, or with friction mu_2 p where it slips",
                  {"no-slip", "friction"});
-  io::add_text(app, "--elements", options.elements,
+  io::add_text(line, "--elements", options.elements,
                "Elements ACROSSxUP of half the section; in space ALONGxACROSSxUP, default 1x70x100")
-      ->type_name("MESH");
-  io::add_choice(app, "--start", options.start,
+      .of_type("MESH");
+  io::add_choice(line, "--start", options.start,
                  "Where Newton starts: at rest, on ever finer meshes (default in space), or "
                  "there from the section",
                  {"rest", "nested", "section"});
-  io::add_choice(app, "--outflow", options.outflow,
+  io::add_choice(line, "--outflow", options.outflow,
                  "At the outlet in space: developed, or open with or without their pressure",
                  {"fully-developed", "open-viscous", "open"});
-  io::add_real(app, "--grading-to-wall", options.mesh.section.grading_to_wall,
+  io::add_real(line, "--grading-to-wall", options.mesh.section.grading_to_wall,
                "Exponent of the mesh towards the side wall; 1 is uniform", 1, 10);
-  io::add_real(app, "--grading-to-surface", options.mesh.section.grading_to_surface,
+  io::add_real(line, "--grading-to-surface", options.mesh.section.grading_to_surface,
                "Exponent of the mesh towards the free surface; 1 is uniform", 1, 10);
-  io::add_real(app, "--width", options.section.width, "Width of the channel W, in d", 1e-3, 1e6);
-  io::add_real(app, "--height", options.section.height, "Depth H, in d", 1e-3, 1e6);
-  program::add_method_options(app, options.method);
-  program::add_penalty(app, options.penalty);
-  program::add_threads(app, options.threads);
-  io::add_text(app, "--output", options.output, "Folder for the results");
-  app.add_flag("--plot", options.plot, "Draw the profiles (data, gnuplot script, SVG and PNG)");
-  app.add_flag("--check-jacobian", options.check_jacobian,
+  io::add_real(line, "--width", options.section.width, "Width of the channel W, in d", 1e-3, 1e6);
+  io::add_real(line, "--height", options.section.height, "Depth H, in d", 1e-3, 1e6);
+  program::add_method_options(line, options.method);
+  program::add_penalty(line, options.penalty);
+  program::add_threads(line, options.threads);
+  io::add_text(line, "--output", options.output, "Folder for the results");
+  io::add_flag(line, "--plot", options.plot,
+               "Draw the profiles (data, gnuplot script, SVG and PNG)");
+  io::add_flag(line, "--check-jacobian", options.check_jacobian,
                "Only compare the tangent with differences of the residual (take few elements)");
 }
 
-void interpret(const CLI::App& app, ProgramOptions& options) {
-  refuse_values_of_the_other_model(app, options);
+void interpret(const io::CommandLine& line, ProgramOptions& options) {
+  refuse_values_of_the_other_model(line, options);
   if (options.is_space()) {
     options.method.method = "newton";
-    if (app.count("--start") == 0) options.start = "nested";
-    if (app.count("--line-search") == 0) options.method.line_search = "residual-norm";
+    if (!line.is_given("--start")) options.start = "nested";
+    if (!line.is_given("--line-search")) options.method.line_search = "residual-norm";
   }
-  io::refuse_unused(app, used_options(options));
-  read_elements(app, options);
+  io::refuse_unused(line, used_options(options));
+  read_elements(line, options);
   const auto& section = options.mesh.section;
   program::check_grading("--grading-to-wall", section.grading_to_wall, section.across);
   program::check_grading("--grading-to-surface", section.grading_to_surface, section.up);

@@ -27,11 +27,11 @@ struct ProgramOptions {
   bool is_space() const { return model == "space"; }
 };
 
-void add_options(CLI::App& app, ProgramOptions& options);
+void add_options(io::CommandLine& line, ProgramOptions& options);
 
 /// What several options together mean: the mesh, the law, the wall, defaults of the model. Throws
 /// io::UserError for an option that the model has no use for, or for elements out of range.
-void interpret(const CLI::App& app, ProgramOptions& options);
+void interpret(const io::CommandLine& line, ProgramOptions& options);
 
 /// Says what the solve will take if that is much. Throws io::UserError if it does not fit into
 /// memory.

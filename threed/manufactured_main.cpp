@@ -11,8 +11,6 @@
 #include <cmath>
 #include <iostream>
 
-#include <CLI/CLI.hpp>
-
 #include "common/io/options.hpp"
 #include "common/program/method_options.hpp"
 #include "common/program/penalty_options.hpp"
@@ -182,46 +180,47 @@ const scene::Description& description() {
   return manufactured;
 }
 
-void add_options(CLI::App& app, Options& o) {
-  io::add_choice(app, "--model", o.model, "In the plane or in space", {"plane", "space"});
-  io::add_choice(app, "--flow", o.flow, "Sheared everywhere, or turning with little shear inside",
+void add_options(io::CommandLine& line, Options& o) {
+  io::add_choice(line, "--model", o.model, "In the plane or in space", {"plane", "space"});
+  io::add_choice(line, "--flow", o.flow, "Sheared everywhere, or turning with little shear inside",
                  names_of(mixed::manufactured_flows<2>()));
-  io::add_choice(app, "--mesh", o.mesh,
+  io::add_choice(line, "--mesh", o.mesh,
                  "Square or cube of uniform, stretched or distorted elements, or in the plane a "
                  "sector of an annulus",
                  names_of(threed::mesh_families<2>()));
-  io::add_integer(app, "--elements", o.elements, "Elements along an edge", 1, 2000);
-  program::add_regularisation(app, o.regularisation);
-  io::add_real(app, "--lambda-r", o.lambda_r,
+  io::add_integer(line, "--elements", o.elements, "Elements along an edge", 1, 2000);
+  program::add_regularisation(line, o.regularisation);
+  io::add_real(line, "--lambda-r", o.lambda_r,
                "Regularisation parameter; default 0.001 (sheared), 0.5 (turning)", 1e-15, 1)
-      ->default_str("");
-  program::add_friction(app, o.friction);
-  app.add_flag("--no-inertia", o.no_inertia, "Leave out the advective term");
-  program::add_penalty(app, o.penalty);
-  program::add_newton(app, o.method);
-  program::add_tangent(app, o.tangent);
-  io::add_real(app, "--tolerance", o.tolerance,
+      .without_default();
+  program::add_friction(line, o.friction);
+  io::add_flag(line, "--no-inertia", o.no_inertia, "Leave out the advective term");
+  program::add_penalty(line, o.penalty);
+  program::add_newton(line, o.method);
+  program::add_tangent(line, o.tangent);
+  io::add_real(line, "--tolerance", o.tolerance,
                "Of Newton's answer: relative residual and distance to the solution (default 1e-12)",
                1e-16, 1e-3)
-      ->default_str("");
-  io::add_integer(app, "--max-iterations", o.max_iterations, "Of Newton", 1, 100000);
-  program::add_threads(app, o.threads);
-  io::add_text(app, "--output", o.output, "Folder for the results");
-  app.add_flag("--check-jacobian", o.check_jacobian,
+      .without_default();
+  io::add_integer(line, "--max-iterations", o.max_iterations, "Of Newton", 1, 100000);
+  program::add_threads(line, o.threads);
+  io::add_text(line, "--output", o.output, "Folder for the results");
+  io::add_flag(line, "--check-jacobian", o.check_jacobian,
                "Only compare the tangent with differences of the residual (take few elements)");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Manufactured dense granular flows in velocity and pressure", "manufactured"};
+  io::CommandLine line{"Manufactured dense granular flows in velocity and pressure",
+                       "manufactured"};
   Options options;
-  add_options(app, options);
-  scene::Case a_case(app, description());
+  add_options(line, options);
+  scene::Case a_case(line, description());
   return a_case.run_program(argc, argv, [&] {
-    io::refuse_unused(app, {{{"--tolerance", "--max-iterations", "--output"},
-                             !options.check_jacobian,
-                             "--check-jacobian"}});
+    io::refuse_unused(line, {{{"--tolerance", "--max-iterations", "--output"},
+                              !options.check_jacobian,
+                              "--check-jacobian"}});
     return options.model == "plane" ? run<2>(options, a_case) : run<3>(options, a_case);
   });
 }

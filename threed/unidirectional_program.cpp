@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <iostream>
 
-#include <CLI/CLI.hpp>
-
 #include "common/io/options.hpp"
 #include "common/program/model_choice.hpp"
 #include "common/program/summary.hpp"
@@ -18,7 +16,7 @@ using nlohmann::json;
 using oned::ShearScene;
 
 // Which options a run uses, and the one value that only the line has a use for.
-void refuse_unused(const CLI::App& app, const UnidirectionalProgram& options) {
+void refuse_unused(const io::CommandLine& line, const UnidirectionalProgram& options) {
   const std::string model = "--model " + options.model;
   if (!options.is_line() && options.method.method != "newton")
     throw io::UserError("--method: '" + options.method.method + "' is not for " + model +
@@ -32,7 +30,7 @@ void refuse_unused(const CLI::App& app, const UnidirectionalProgram& options) {
        model + ", which takes full steps, and searches on a way down in lambda_r only"}};
   std::ranges::copy(program::used_options(options.method, options.check_jacobian),
                     std::back_inserter(table));
-  io::refuse_unused(app, table);
+  io::refuse_unused(line, table);
 }
 
 UnidirectionalOptions solve_options(const UnidirectionalProgram& options) {
@@ -162,27 +160,29 @@ std::string advice_for(const UnidirectionalProgram& options, solve::End end) {
 
 }  // namespace
 
-void add_options(CLI::App& app, UnidirectionalProgram& options, const std::string& scene) {
+void add_options(io::CommandLine& line, UnidirectionalProgram& options, const std::string& scene) {
   options.output = "results/" + scene;
-  io::add_choice(app, "--model", options.model,
+  io::add_choice(line, "--model", options.model,
                  "How much of the scene is modelled: a line across, or velocity and pressure in "
                  "the plane or in space (by Newton)",
                  {"line", "plane", "space"});
-  io::add_integer(app, "--elements", options.mesh.elements, "Quadratic elements across", 1, 100000);
-  io::add_real(app, "--grading", options.mesh.grading,
+  io::add_integer(line, "--elements", options.mesh.elements, "Quadratic elements across", 1,
+                  100000);
+  io::add_real(line, "--grading", options.mesh.grading,
                "Exponent q of the mesh x_i = L(1 - (1 - i/n)^q); 1 is uniform", 1, 10);
-  program::add_method_options(app, options.method);
-  program::add_penalty(app, options.penalty);
-  program::add_threads(app, options.threads);
-  io::add_text(app, "--output", options.output, "Folder for the results");
-  app.add_flag("--plot", options.plot, "Draw the profiles (data, gnuplot script, SVG and PNG)");
-  app.add_flag("--check-jacobian", options.check_jacobian,
+  program::add_method_options(line, options.method);
+  program::add_penalty(line, options.penalty);
+  program::add_threads(line, options.threads);
+  io::add_text(line, "--output", options.output, "Folder for the results");
+  io::add_flag(line, "--plot", options.plot,
+               "Draw the profiles (data, gnuplot script, SVG and PNG)");
+  io::add_flag(line, "--check-jacobian", options.check_jacobian,
                "Only compare the tangent with differences of the residual");
 }
 
-int run(const CLI::App& app, const ShearScene& scene, const UnidirectionalProgram& options,
+int run(const io::CommandLine& line, const ShearScene& scene, const UnidirectionalProgram& options,
         const json& parameters, scene::Case& a_case) {
-  refuse_unused(app, options);
+  refuse_unused(line, options);
 
   // 1. The mesh, and what is to be solved on it.
   const oned::RunParameters run = run_parameters(options, parameters);

@@ -2,7 +2,7 @@
 // rest, in all three models.
 #pragma once
 
-#include "common/io/cli.hpp"
+#include "common/io/command_line.hpp"
 #include "common/program/method_options.hpp"
 #include "common/program/penalty_options.hpp"
 #include "common/scene/case.hpp"
@@ -25,7 +25,7 @@ struct UnidirectionalProgram {
 };
 
 /// Adds the shared options; set `options.method.lambda_r` to the scene's default first.
-void add_options(CLI::App& app, UnidirectionalProgram& options, const std::string& scene);
+void add_options(io::CommandLine& line, UnidirectionalProgram& options, const std::string& scene);
 
 /// What `chute` and `bagnold` say of themselves; `problem_options` are those of the scene alone.
 scene::Description description_of(const oned::ShearScene& scene,
@@ -33,7 +33,8 @@ scene::Description description_of(const oned::ShearScene& scene,
 
 /// Limits, mesh, solve, measure, write. `parameters` are the scene's own, for summary.json.
 /// Returns the exit code: 0, or 1 where the solve or the Jacobian check does not succeed.
-int run(const CLI::App& app, const oned::ShearScene& scene, const UnidirectionalProgram& options,
-        const nlohmann::json& parameters, scene::Case& a_case);
+int run(const io::CommandLine& line, const oned::ShearScene& scene,
+        const UnidirectionalProgram& options, const nlohmann::json& parameters,
+        scene::Case& a_case);
 
 }  // namespace talus::threed

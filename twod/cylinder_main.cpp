@@ -14,8 +14,6 @@
 #include <memory>
 #include <numbers>
 
-#include <CLI/CLI.hpp>
-
 #include "common/io/options.hpp"
 #include "common/mixed/mixed_jacobian.hpp"
 #include "common/program/method_options.hpp"
@@ -216,75 +214,77 @@ int run(Options& options, scene::Case& a_case) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Granular flow around a cylinder, in velocity and pressure", "cylinder"};
+  io::CommandLine line{"Granular flow around a cylinder, in velocity and pressure", "cylinder"};
   Options o;
-  CLI::Option* loading =
-      io::add_reals(app, "--loading", o.run.loadings, "Loadings F = φρgD/p_ext, one or several",
+  const io::Option loading =
+      io::add_reals(line, "--loading", o.run.loadings, "Loadings F = φρgD/p_ext, one or several",
                     smallest_loading, largest_loading);
-  io::add_text(app, "--sweep", o.sweep, "N loadings from A to B instead, as A:B:N")
-      ->excludes(loading);
-  io::add_integer(app, "--around", o.run.scene.mesh.around,
+  io::add_text(line, "--sweep", o.sweep, "N loadings from A to B instead, as A:B:N")
+      .excludes(loading);
+  io::add_integer(line, "--around", o.run.scene.mesh.around,
                   "Elements around the whole cylinder, a multiple of 8", 16, 640);
-  io::add_real(app, "--first-layer", o.run.scene.mesh.first_layer,
+  io::add_real(line, "--first-layer", o.run.scene.mesh.first_layer,
                "Thickness of the elements on the cylinder, in D; default 3.2/around", 1e-4, 0.5)
-      ->default_str("");
-  app.add_flag("--full", o.run.scene.mesh.full, "Both halves of the channel, without symmetry");
-  io::add_real(app, "--outlet", o.run.scene.mesh.outlet, "Distance of the outlet below, in D", 4,
+      .without_default();
+  io::add_flag(line, "--full", o.run.scene.mesh.full,
+               "Both halves of the channel, without symmetry");
+  io::add_real(line, "--outlet", o.run.scene.mesh.outlet, "Distance of the outlet below, in D", 4,
                60);
-  io::add_choice(app, "--outflow", o.outflow,
+  io::add_choice(line, "--outflow", o.outflow,
                  "At the outlet: developed, or open with or without its pressure",
                  {"fully-developed", "open-viscous", "open"});
-  program::add_regularisation(app, o.regularisation);
-  program::add_threads(app, o.threads);
-  io::add_real(app, "--lambda-r", o.run.scene.lambda_r, "Regularisation parameter, scaled", 1e-12,
+  program::add_regularisation(line, o.regularisation);
+  program::add_threads(line, o.threads);
+  io::add_real(line, "--lambda-r", o.run.scene.lambda_r, "Regularisation parameter, scaled", 1e-12,
                1);
-  io::add_real(app, "--pressure-floor", o.run.scene.pressure_floor,
+  io::add_real(line, "--pressure-floor", o.run.scene.pressure_floor,
                "Eq. (16) takes this for λr if it is larger, in p_ext; a grain layer weighs 0.005",
                0, 1);
-  app.add_flag("--no-pressure-regularisation", o.no_pressure_regularisation,
+  io::add_flag(line, "--no-pressure-regularisation", o.no_pressure_regularisation,
                "No eq. (16): where the pressure is negative there is no friction at all");
-  io::add_text(app, "--friction", o.friction,
+  io::add_text(line, "--friction", o.friction,
                "Friction law mu_s,delta_mu,I0 [each 0.001 ... 10; default 0.4,0.25,0.3]");
-  program::add_penalty(app, o.penalty);
-  app.add_flag("--no-inertia", o.no_inertia, "Leave out the advective term");
-  io::add_choice(app, "--continuation", o.continuation,
+  program::add_penalty(line, o.penalty);
+  io::add_flag(line, "--no-inertia", o.no_inertia, "Leave out the advective term");
+  io::add_choice(line, "--continuation", o.continuation,
                  "How paths are followed; primal-dual if it is not given",
                  {"primal-dual", "arclength", "natural"})
-      ->default_str("");
+      .without_default();
   io::add_choice(
-      app, "--route", o.route,
+      line, "--route", o.route,
       "To each loading: without a path where it creeps, else down in λr (default without "
       "--continuation); down in λr at the loading (default of primal-dual); or along the loading "
       "from creep (default otherwise)",
       {"cheapest", "loading", "lambda-r"})
-      ->default_str("");
-  program::add_newton(app, o.method);
-  program::add_tangent(app, o.tangent);
-  io::add_real(app, "--tolerance", o.tolerance,
+      .without_default();
+  program::add_newton(line, o.method);
+  program::add_tangent(line, o.tangent);
+  io::add_real(line, "--tolerance", o.tolerance,
                "Of the answer at each loading: relative residual and distance to the solution "
                "(default 1e-13 and 1e-10)",
                1e-16, 1e-3)
-      ->default_str("");
-  io::add_integer(app, "--max-points", o.run.max_points, "Points of one path at most", 2, 100000);
-  io::add_reals(app, "--confining-pressure", o.run.confining_pressures,
+      .without_default();
+  io::add_integer(line, "--max-points", o.run.max_points, "Points of one path at most", 2, 100000);
+  io::add_reals(line, "--confining-pressure", o.run.confining_pressures,
                 "p_ext in φρgD, for the Froude numbers", 0.01, 1000);
-  io::add_text(app, "--output", o.output, "Folder for the results");
-  app.add_flag("--resume", o.run.resume,
+  io::add_text(line, "--output", o.output, "Folder for the results");
+  io::add_flag(line, "--resume", o.run.resume,
                "Go on from the last accepted state in the folder, with another --continuation too");
-  app.add_flag("--plot", o.plot, "Draw the figures (data, gnuplot script, SVG and PNG)");
-  app.add_flag("--check-jacobian", o.check_jacobian,
+  io::add_flag(line, "--plot", o.plot, "Draw the figures (data, gnuplot script, SVG and PNG)");
+  io::add_flag(line, "--check-jacobian", o.check_jacobian,
                "Only compare the tangent with differences of the residual (take few elements)");
-  scene::Case a_case(app, twod::description());
+  scene::Case a_case(line, twod::description());
   return a_case.run_program(argc, argv, [&] {
     io::refuse_unused(
-        app, {{{"--pressure-floor"}, !o.no_pressure_regularisation, "--no-pressure-regularisation"},
-              {{"--repeat"}, !o.run.resume, "--resume"},
-              {{"--loading", "--sweep", "--continuation", "--route", "--tolerance", "--max-points",
-                "--confining-pressure", "--output", "--resume", "--plot"},
-               !o.check_jacobian,
-               "--check-jacobian"}});
+        line,
+        {{{"--pressure-floor"}, !o.no_pressure_regularisation, "--no-pressure-regularisation"},
+         {{"--repeat"}, !o.run.resume, "--resume"},
+         {{"--loading", "--sweep", "--continuation", "--route", "--tolerance", "--max-points",
+           "--confining-pressure", "--output", "--resume", "--plot"},
+          !o.check_jacobian,
+          "--check-jacobian"}});
     auto& mesh = o.run.scene.mesh;
-    if (app.count("--first-layer") == 0)
+    if (!line.is_given("--first-layer"))
       mesh.first_layer = twod::refined_to(mesh.around).first_layer;
     return run(o, a_case);
   });

@@ -8,8 +8,6 @@
 //   verify --merge results/parts
 #include <iostream>
 
-#include <CLI/CLI.hpp>
-
 #include "common/io/options.hpp"
 #include "common/io/progress.hpp"
 #include "common/io/shell.hpp"
@@ -145,30 +143,30 @@ std::string table_of_studies() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{
+  io::CommandLine line{
       "Verification of the μ(I) solvers: Jacobians, orders, the paper's figures, cost, "
       "stability",
-      "verify"};
-  app.footer(table_of_studies());
+      "verify", table_of_studies()};
   Asked asked;
-  app.add_option("STUDY", asked.names, "Studies, or parts of them, to run (all if none is named)");
-  app.add_flag("--full", asked.run.full, "Finer meshes and sweeps");
-  io::add_integer(app, "--jobs", asked.run.jobs, "Parts of studies at a time", 1, 64);
-  app.add_flag(
-      "--list", asked.list,
+  io::add_words(line, "STUDY", asked.names,
+                "Studies, or parts of them, to run (all if none is named)");
+  io::add_flag(line, "--full", asked.run.full, "Finer meshes and sweeps");
+  io::add_integer(line, "--jobs", asked.run.jobs, "Parts of studies at a time", 1, 64);
+  io::add_flag(
+      line, "--list", asked.list,
       "Only list the command lines of the parts, each with a folder of its own in --output, "
       "or in results/parts");
-  io::add_text(app, "--merge", asked.merge,
+  io::add_text(line, "--merge", asked.merge,
                "Run nothing; take the parts from these folders, or the folders within")
-      ->expected(1, 1000);
-  io::add_text(app, "--output", asked.output, "Folder for the report and its files");
-  return io::run_program(app, argc, argv, [&] {
+      .takes(1, 1000);
+  io::add_text(line, "--output", asked.output, "Folder for the report and its files");
+  return line.run(argc, argv, [&] {
     const bool runs = asked.merge.empty();
     io::refuse_unused(
-        app, {{{"--jobs", "--merge"}, !asked.list, "--list"}, {{"--jobs"}, runs, "--merge"}});
+        line, {{{"--jobs", "--merge"}, !asked.list, "--list"}, {{"--jobs"}, runs, "--merge"}});
     const auto chosen = chosen_studies(asked.names);
     if (asked.list) {
-      if (app.count("--output") == 0) asked.output = "results/parts";
+      if (!line.is_given("--output")) asked.output = "results/parts";
       print_parts(chosen, asked);
       return 0;
     }

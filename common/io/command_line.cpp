@@ -2,15 +2,44 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iostream>
+#include <new>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include <CLI/CLI.hpp>
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include "common/io/result_folder.hpp"
+#include "common/io/table.hpp"
 
 namespace talus::io {
 namespace {
+
+std::string memory_held() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return rounded(static_cast<double>(usage.ru_maxrss) * 1024 / 1e9, 2) + " GB";  // from KiB
+}
+
+// A value may hold line breaks.
+std::string in_one_line(const std::string& text) {
+  std::string line;
+  for (const char c : text) line += c == '\n' || c == '\r' ? "\\n" : std::string(1, c);
+  return line;
+}
+
+// A closed stdout would lend its number to the next file that is opened.
+void hold_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) == -1) {  // the lowest free number is taken; it cannot be used
+      [[maybe_unused]] const int same =
+          open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
+}
 
 bool is_option(const std::string& word) {
   if (word.size() < 2 || word[0] != '-') return false;
@@ -74,8 +103,10 @@ std::vector<std::string> read_option(const CLI::App& app, const std::vector<std:
   return {name, value};
 }
 
-}  // namespace
-
+// What `app` is to parse for the words after the program's name: every option once, followed by
+// exactly one word (several values are joined by commas, one that was left out is empty), then
+// what is no option. Stops at --help. Throws UserError for an unknown option, one given twice or
+// without its value, a flag with one, and a word that belongs to nothing.
 std::vector<std::string> well_formed(const CLI::App& app, const std::vector<std::string>& words) {
   std::vector<std::string> parsed, others;
   std::set<const CLI::Option*> given;
@@ -108,6 +139,63 @@ std::vector<std::string> well_formed(const CLI::App& app, const std::vector<std:
   return parsed;
 }
 
+}  // namespace
+
+const Option& Option::by_default(const std::string& shown) const {
+  option_->default_str(shown);
+  return *this;
+}
+
+const Option& Option::of_type(const std::string& type) const {
+  option_->type_name(type);
+  return *this;
+}
+
+const Option& Option::excludes(const Option& other) const {
+  option_->excludes(other.option_);
+  return *this;
+}
+
+const Option& Option::takes(int least, int most) const {
+  option_->expected(least, most);
+  return *this;
+}
+
+const Option& Option::is_required() const {
+  option_->required();
+  return *this;
+}
+
+CommandLine::CommandLine(const std::string& description, const std::string& program,
+                         const std::string& footer)
+    : app_(std::make_shared<CLI::App>(description, program)) {
+  app_->footer(footer);
+}
+
+bool CommandLine::is_given(const std::string& option) const {
+  const CLI::Option* found = std::as_const(*app_).get_option_no_throw(option);
+  return found && found->count() > 0;
+}
+
+std::optional<int> CommandLine::most_values(const std::string& option) const {
+  const CLI::Option* found = std::as_const(*app_).get_option_no_throw(option);
+  if (!found) return std::nullopt;
+  return found->get_items_expected_max();
+}
+
+std::vector<GivenOption> CommandLine::options() const {
+  std::vector<GivenOption> all;
+  for (const CLI::Option* option : std::as_const(*app_).get_options()) {
+    if (option == app_->get_help_ptr() || option->get_lnames().empty()) continue;
+    GivenOption given{"--" + option->get_lnames().front(), option->get_type_name(),
+                      option->get_default_str(), option->get_description(),
+                      option->get_items_expected_max() == 0};
+    if (option->count() > 0) given.value = given.is_flag ? "" : option->results().front();
+    all.push_back(given);
+  }
+  return all;
+}
+
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& names) {
   std::string nearest;
   std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
@@ -121,10 +209,54 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
   return nearest.empty() ? "" : "; did you mean " + nearest + "?";
 }
 
-void refuse_unused(const CLI::App& app, const std::vector<Use>& table) {
+int CommandLine::run(int argc, char** argv, const std::function<int()>& body) {
+  hold_standard_streams();
+  const auto complain = [&](const std::string& message, int code) {
+    std::cerr << app_->get_name() << ": " << in_one_line(message) << '\n';
+    return code;
+  };
+  const auto parse = [&] {
+    std::vector<std::string> words = well_formed(*app_, {argv + 1, argv + argc});
+    std::reverse(words.begin(), words.end());  // as CLI11 wants them
+    try {
+      app_->parse(words);
+    } catch (const CLI::CallForHelp&) {
+      throw;
+    } catch (const CLI::ParseError& error) {
+      throw UserError(error.what());
+    }
+  };
+  int code = 0;
+  try {
+    try {
+      parse();
+    } catch (const UserError& error) {
+      return complain(std::string(error.what()) + " (see --help)", 2);
+    }
+    code = body();
+  } catch (const CLI::CallForHelp&) {
+    std::cout << app_->help();
+  } catch (const UserError& error) {
+    return complain(error.what(), 2);
+  } catch (const std::bad_alloc& error) {  // solve::OutOfMemory has more to say than its kin
+    const std::string what = error.what();
+    return complain(
+        "out_of_memory: " +
+            (what == std::bad_alloc().what() ? "no more to be had beyond " + memory_held() : what) +
+            "; try fewer elements, or a machine with more memory",
+        1);
+  } catch (const std::exception& error) {
+    return complain(error.what(), 1);
+  }
+  std::cout.flush();
+  if (code == 0 && !std::cout) return complain("stdout did not take what was printed", 1);
+  return code;
+}
+
+void refuse_unused(const CommandLine& line, const std::vector<Use>& table) {
   for (const Use& use : table)
     for (const std::string& option : use.options)
-      if (!use.is_used && app.count(option) > 0)
+      if (!use.is_used && line.is_given(option))
         throw UserError(option + ": not used by " + use.not_used_by);
 }
 

@@ -4,7 +4,6 @@
 #include <numbers>
 #include <sstream>
 
-#include <CLI/CLI.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include "common/io/options.hpp"
@@ -19,7 +18,7 @@ using Words = std::vector<std::string>;
 
 // A program with an option of every kind.
 struct Sample {
-  CLI::App app{"a program", "program"};
+  CommandLine line{"a program", "program"};
   int count = 7;
   double ratio = 0.5, angle = 0.4;
   std::vector<double> loads = {1, 2};
@@ -28,27 +27,22 @@ struct Sample {
 
   // The exit code for these words, what it says on stderr in `message`.
   int run(Words words) {
-    add_integer(app, "--count", count, "Things", 1, 1000);
-    add_real(app, "--ratio", ratio, "Ratio", 0, 1000);
-    add_angle(app, "--angle", angle, "Slope", 0.001, 1.57);
-    add_reals(app, "--loads", loads, "Loads", 0, 10);
-    add_choice(app, "--method", method, "Method", {"newton", "interior-point"});
-    add_text(app, "--folder", folder, "Folder");
-    app.add_option(
-           "--align",
-           [&](const CLI::results_t& fraction) {
-             align = fraction[0].empty() ? "none" : fraction[0];
-             return true;
-           },
-           "Align")
-        ->expected(0, 1);
-    app.add_flag("--plot", plot, "Plot");
+    add_integer(line, "--count", count, "Things", 1, 1000);
+    add_real(line, "--ratio", ratio, "Ratio", 0, 1000);
+    add_angle(line, "--angle", angle, "Slope", 0.001, 1.57);
+    add_reals(line, "--loads", loads, "Loads", 0, 10);
+    add_choice(line, "--method", method, "Method", {"newton", "interior-point"});
+    add_text(line, "--folder", folder, "Folder");
+    add_value(line, "--align", "TEXT", "Align", [&](const std::string& fraction) {
+      align = fraction.empty() ? "none" : fraction;
+    }).takes(0, 1);
+    add_flag(line, "--plot", plot, "Plot");
     words.insert(words.begin(), "program");
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     std::ostringstream captured;
     std::streambuf* const previous = std::cerr.rdbuf(captured.rdbuf());
-    const int code = run_program(app, static_cast<int>(argv.size()), argv.data(), [] { return 0; });
+    const int code = line.run(static_cast<int>(argv.size()), argv.data(), [] { return 0; });
     std::cerr.rdbuf(previous);
     message = captured.str();
     return code;
@@ -181,13 +175,13 @@ BOOST_AUTO_TEST_CASE(an_option_that_a_run_does_not_use_is_refused_only_if_it_was
   Sample sample;
   BOOST_TEST(sample.run({"--plot"}) == 0);
   BOOST_CHECK_EXCEPTION(
-      refuse_unused(sample.app, table(false)), UserError, [](const UserError& error) {
+      refuse_unused(sample.line, table(false)), UserError, [](const UserError& error) {
         return std::string(error.what()) == "--plot: not used by --method newton; add --method x";
       });
-  BOOST_CHECK_NO_THROW(refuse_unused(sample.app, table(true)));
+  BOOST_CHECK_NO_THROW(refuse_unused(sample.line, table(true)));
   Sample other;
   BOOST_TEST(other.run({"--ratio", "1"}) == 0);
-  BOOST_CHECK_NO_THROW(refuse_unused(other.app, table(false)));
+  BOOST_CHECK_NO_THROW(refuse_unused(other.line, table(false)));
 }
 
 BOOST_AUTO_TEST_CASE(help_says_what_every_option_takes_and_comes_before_what_follows_it) {

@@ -5,7 +5,6 @@
 #include <limits>
 #include <sstream>
 
-#include <CLI/CLI.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include "common/io/figure.hpp"
@@ -52,14 +51,14 @@ struct Outcome {
 };
 Outcome outcome_of(std::vector<std::string> arguments, const std::function<int()>& body) {
   Outcome outcome;
-  CLI::App app{"a program", "program"};
-  add_integer(app, "--count", outcome.value, "Number of things", 1, 10);
+  CommandLine line{"a program", "program"};
+  add_integer(line, "--count", outcome.value, "Number of things", 1, 10);
   arguments.insert(arguments.begin(), "program");
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   std::ostringstream captured;
   std::streambuf* const previous = std::cerr.rdbuf(captured.rdbuf());
-  outcome.code = run_program(app, static_cast<int>(argv.size()), argv.data(), body);
+  outcome.code = line.run(static_cast<int>(argv.size()), argv.data(), body);
   std::cerr.rdbuf(previous);
   outcome.message = captured.str();
   return outcome;

@@ -6,21 +6,19 @@
 #include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "common/io/options.hpp"
 
 namespace talus::program {
 
-void add_regularisation(CLI::App& app, std::string& name) {
+void add_regularisation(io::CommandLine& line, std::string& name) {
   std::vector<std::string> names;
   for (const auto& each : rheology::regularisations()) names.push_back(rheology::name_of(each));
-  io::add_choice(app, "--regularisation", name,
+  io::add_choice(line, "--regularisation", name,
                  "Viscosity, eq. (9)-(12), or a control law without yield stress", names);
 }
 
-void add_friction(CLI::App& app, std::string& friction) {
-  io::add_text(app, "--friction", friction,
+void add_friction(io::CommandLine& line, std::string& friction) {
+  io::add_text(line, "--friction", friction,
                "Friction law mu_s,delta_mu,I0 [each 0.001 ... 10; default 0.383,0.26,0.279]");
 }
 
@@ -34,11 +32,11 @@ constexpr std::array<std::pair<const char*, shear::TangentTerm>, 4> tangents{
 
 }  // namespace
 
-void add_tangent(CLI::App& app, std::string& tangent) {
+void add_tangent(io::CommandLine& line, std::string& tangent) {
   std::vector<std::string> names;
   for (const auto& [name, term] : tangents) names.push_back(name);
   io::add_choice(
-      app, "--tangent", tangent,
+      line, "--tangent", tangent,
       "Derivative of the viscosity in the tangent: in primal-dual form, plain, dropped, or "
       "broken",
       names);
@@ -52,44 +50,44 @@ std::string name_of(shear::TangentTerm tangent) {
   return std::ranges::find(tangents, tangent, &decltype(tangents)::value_type::second)->first;
 }
 
-void add_newton(CLI::App& app, std::string& method) {
-  io::add_choice(app, "--method", method, "Newton: there is no interior point with a pressure",
+void add_newton(io::CommandLine& line, std::string& method) {
+  io::add_choice(line, "--method", method, "Newton: there is no interior point with a pressure",
                  {"newton"});
 }
 
-void add_threads(CLI::App& app, int& threads) {
+void add_threads(io::CommandLine& line, int& threads) {
   constexpr int most = 256;
   threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, most);
-  io::add_integer(app, "--threads", threads,
+  io::add_integer(line, "--threads", threads,
                   "Threads that assemble; results do not depend on them, to the last bit", 1, most);
 }
 
-void add_method_options(CLI::App& app, MethodOptions& options) {
-  io::add_choice(app, "--method", options.method,
+void add_method_options(io::CommandLine& line, MethodOptions& options) {
+  io::add_choice(line, "--method", options.method,
                  "Newton on the regularised law, or interior point without regularisation",
                  {"newton", "interior-point"});
-  add_regularisation(app, options.regularisation);
-  io::add_real(app, "--lambda-r", options.lambda_r, "Regularisation parameter, in sqrt(g/d)", 1e-15,
-               1);
-  add_friction(app, options.friction);
-  io::add_choice(app, "--precision", options.precision,
+  add_regularisation(line, options.regularisation);
+  io::add_real(line, "--lambda-r", options.lambda_r, "Regularisation parameter, in sqrt(g/d)",
+               1e-15, 1);
+  add_friction(line, options.friction);
+  io::add_choice(line, "--precision", options.precision,
                  "Of Newton's iterate: double, or double with its rounding kept",
                  {"compensated", "plain"});
-  io::add_choice(app, "--line-search", options.line_search,
+  io::add_choice(line, "--line-search", options.line_search,
                  "Of Newton: on the slope of the energy (default), on the residual (default of the "
                  "heap in space), or full steps",
                  {"energy-slope", "residual-norm", "none"});
-  add_tangent(app, options.tangent);
+  add_tangent(line, options.tangent);
   io::add_real(
-      app, "--tolerance", options.tolerance,
+      line, "--tolerance", options.tolerance,
       "Of Newton's answer: relative residual and distance to the solution (default 1e-12); "
       "or relative duality gap, the square of a distance (default 1e-10)",
       1e-16, 1e-3)
-      ->default_str("");
-  io::add_integer(app, "--max-iterations", options.max_iterations,
+      .without_default();
+  io::add_integer(line, "--max-iterations", options.max_iterations,
                   "Of Newton (default 200) or of the interior point (default 100)", 1, 100000)
-      ->default_str("");
-  app.add_flag("--no-continuation", options.no_continuation,
+      .without_default();
+  io::add_flag(line, "--no-continuation", options.no_continuation,
                "Newton at lambda_r directly and only: no way down from a larger one");
 }
 

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "common/io/cli.hpp"
 #include "common/io/command_line.hpp"
 #include "common/shear/shear_solver.hpp"
 
@@ -21,18 +20,18 @@ struct MethodOptions {
 };
 
 /// Adds them; set the scene's own defaults first.
-void add_method_options(CLI::App& app, MethodOptions& options);
+void add_method_options(io::CommandLine& line, MethodOptions& options);
 
 /// Adds --regularisation: every name of the registry.
-void add_regularisation(CLI::App& app, std::string& name);
+void add_regularisation(io::CommandLine& line, std::string& name);
 
 /// Adds --friction, for `friction_law`.
-void add_friction(CLI::App& app, std::string& friction);
+void add_friction(io::CommandLine& line, std::string& friction);
 
 /// Adds --method where there is but one: velocity and pressure have no interior point.
-void add_newton(CLI::App& app, std::string& method);
+void add_newton(io::CommandLine& line, std::string& method);
 /// Adds --tangent; what its value means.
-void add_tangent(CLI::App& app, std::string& tangent);
+void add_tangent(io::CommandLine& line, std::string& tangent);
 shear::TangentTerm tangent_named(const std::string& tangent);
 std::string name_of(shear::TangentTerm tangent);
 
@@ -40,7 +39,7 @@ std::string name_of(shear::TangentTerm tangent);
 solve::LineSearch line_search_named(const std::string& line_search);
 
 /// Adds --threads, with all of the machine as its default; for solve::set_threads.
-void add_threads(CLI::App& app, int& threads);
+void add_threads(io::CommandLine& line, int& threads);
 
 /// `defaults` for what the command line does not say.
 shear::ShearOptions shear_options(const MethodOptions& options, shear::ShearOptions defaults = {});

@@ -1,21 +1,19 @@
 #include "common/program/penalty_options.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include "common/io/options.hpp"
 #include "common/io/table.hpp"
 
 namespace talus::program {
 
-void add_penalty(CLI::App& app, PenaltyOptions& options) {
-  io::add_choice(app, "--penalty", options.kind,
+void add_penalty(io::CommandLine& line, PenaltyOptions& options) {
+  io::add_choice(line, "--penalty", options.kind,
                  "Iterated (none is left in the result), or the paper's plain one",
                  {"iterated", "plain"});
-  io::add_real(app, "--lambda-p", options.lambda_p,
+  io::add_real(line, "--lambda-p", options.lambda_p,
                "Penalty; default 1e-4 over the viscosity (iterated), " +
                    io::rounded(options.plain, 2) + " (plain)",
                1e-14, 1)
-      ->default_str("");
+      .without_default();
 }
 
 mixed::PenaltyOptions penalty_of(const PenaltyOptions& options) {

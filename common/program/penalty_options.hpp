@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "common/io/cli.hpp"
+#include "common/io/command_line.hpp"
 #include "common/mixed/mixed_flow.hpp"
 
 namespace talus::program {
@@ -18,7 +18,7 @@ struct PenaltyOptions {
 };
 
 /// Adds --penalty and --lambda-p; set the scene's `plain` first.
-void add_penalty(CLI::App& app, PenaltyOptions& options);
+void add_penalty(io::CommandLine& line, PenaltyOptions& options);
 
 mixed::PenaltyOptions penalty_of(const PenaltyOptions& options);
 

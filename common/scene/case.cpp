@@ -5,8 +5,6 @@
 #include <iostream>
 #include <set>
 
-#include <CLI/CLI.hpp>
-
 #include "common/io/checksum.hpp"
 #include "common/io/options.hpp"
 #include "common/io/shell.hpp"
@@ -33,26 +31,27 @@ std::string canonical(const std::string& text) {
 
 }  // namespace
 
-Case::Case(CLI::App& app, const Description& description) : app_(app), description_(description) {
-  io::add_text(app, "--record", record_,
+Case::Case(io::CommandLine& line, const Description& description)
+    : line_(line), description_(description) {
+  io::add_text(line, "--record", record_,
                "Write the case to this file, as one line of JSON, and nothing else unless --output "
                "or --plot is given");
-  io::add_text(app, "--reference", reference_,
+  io::add_text(line, "--reference", reference_,
                "Measure against another case: its record or summary.json, or NAME=VALUE,...");
-  io::add_integer(app, "--repeat", repeat_, "Solve so often; the shortest time counts", 1, 1000);
-  app.add_flag("--dry-run", dry_run_, "Only check the options");
-  app.add_flag("--describe", describe_, "Only print the scene's options and quantities, as JSON");
+  io::add_integer(line, "--repeat", repeat_, "Solve so often; the shortest time counts", 1, 1000);
+  io::add_flag(line, "--dry-run", dry_run_, "Only check the options");
+  io::add_flag(line, "--describe", describe_,
+               "Only print the scene's options and quantities, as JSON");
 }
 
 int Case::run_program(int argc, char** argv, const std::function<int()>& body) {
   words_.assign(argv + std::min(argc, 1), argv + argc);
-  return io::run_program(app_, argc, argv, [&] {
-    const CLI::Option* check = app_.get_option_no_throw("--check-jacobian");
-    const bool solves = !check || check->count() == 0;
-    io::refuse_unused(app_,
-                      {{{"--record", "--reference", "--repeat"}, solves, "--check-jacobian"}});
+  return line_.run(argc, argv, [&] {
+    io::refuse_unused(line_, {{{"--record", "--reference", "--repeat"},
+                               !line_.is_given("--check-jacobian"),
+                               "--check-jacobian"}});
     if (!describe_) return body();
-    std::cout << as_json(description_, app_).dump(2) << '\n';
+    std::cout << as_json(description_, line_).dump(2) << '\n';
     return 0;
   });
 }
@@ -63,11 +62,7 @@ io::ResultFolder Case::folder(const std::string& output) {
     io::write_file("--record", record_, "");
     io::remove_file("--record", record_);
   }
-  const auto is_given = [&](const char* name) {
-    const CLI::Option* option = app_.get_option_no_throw(name);
-    return option && option->count() > 0;
-  };
-  const bool wants_more = is_given("--output") || is_given("--plot");
+  const bool wants_more = line_.is_given("--output") || line_.is_given("--plot");
   return record_.empty() || wants_more ? io::ResultFolder(output) : io::ResultFolder();
 }
 
@@ -78,14 +73,11 @@ void Case::note(double cpu_seconds, double wall_seconds, bool replaces) {
 
 json Case::options() const {
   json all;
-  for (const CLI::Option* option : app_.get_options()) {
-    if (option == app_.get_help_ptr() || option->get_lnames().empty()) continue;
-    const std::string& name = option->get_lnames().front();
+  for (const io::GivenOption& option : line_.options()) {
+    const std::string name = option.name.substr(2);
     if (decide_nothing.contains(name)) continue;
-    const bool is_flag = option->get_items_expected_max() == 0;
-    all[name] = is_flag               ? (option->count() > 0 ? "yes" : "no")
-                : option->count() > 0 ? canonical(option->results().front())
-                                      : canonical(option->get_default_str());
+    all[name] = option.is_flag ? (option.value ? "yes" : "no")
+                               : canonical(option.value.value_or(option.standard));
   }
   return all;
 }

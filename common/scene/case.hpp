@@ -17,7 +17,7 @@ namespace talus::scene {
 class Case {
  public:
   /// Adds --record, --reference, --repeat, --dry-run and --describe. Both must outlive the case.
-  Case(CLI::App& app, const Description& description);
+  Case(io::CommandLine& line, const Description& description);
   Case(const Case&) = delete;
   Case& operator=(const Case&) = delete;
 
@@ -61,7 +61,7 @@ class Case {
   nlohmann::json options() const;
   std::string command() const;
 
-  CLI::App& app_;
+  io::CommandLine& line_;
   const Description& description_;
   std::vector<std::string> words_;  // of the command line
   std::string record_, reference_;

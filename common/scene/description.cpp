@@ -2,23 +2,18 @@
 
 #include <stdexcept>
 
-#include <CLI/CLI.hpp>
-
 namespace talus::scene {
 namespace {
 
 using nlohmann::json;
 
-json options_as_json(const CLI::App& app) {
+json options_as_json(const io::CommandLine& line) {
   json options = json::array();
-  for (const CLI::Option* option : app.get_options()) {
-    if (option == app.get_help_ptr() || option->get_lnames().empty()) continue;
-    const bool is_flag = option->get_items_expected_max() == 0;
-    options.push_back({{"name", "--" + option->get_lnames().front()},
-                       {"type", is_flag ? "FLAG" : option->get_type_name()},
-                       {"default", option->get_default_str()},
-                       {"description", option->get_description()}});
-  }
+  for (const io::GivenOption& option : line.options())
+    options.push_back({{"name", option.name},
+                       {"type", option.is_flag ? "FLAG" : option.type},
+                       {"default", option.standard},
+                       {"description", option.description}});
   return options;
 }
 
@@ -36,7 +31,7 @@ void Description::check(const nlohmann::json& results) const {
       throw std::logic_error("the scene " + name + " does not describe its result " + quantity);
 }
 
-json as_json(const Description& description, const CLI::App& app) {
+json as_json(const Description& description, const io::CommandLine& line) {
   json quantities = json::array();
   for (const auto& [name, unit, meaning] : description.quantities)
     quantities.push_back({{"name", name}, {"unit", unit}, {"meaning", meaning}});
@@ -48,7 +43,7 @@ json as_json(const Description& description, const CLI::App& app) {
           {"main_quantity", description.main_quantity},
           {"main_error", description.main_error},
           {"quantities", quantities},
-          {"options", options_as_json(app)}};
+          {"options", options_as_json(line)}};
 }
 
 }  // namespace talus::scene

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "common/io/cli.hpp"
+#include "common/io/command_line.hpp"
 
 namespace talus::scene {
 
@@ -33,6 +33,6 @@ struct Description {
 
 /// Name, type and default of every option of a program, and the description: what --describe
 /// prints.
-nlohmann::json as_json(const Description& description, const CLI::App& app);
+nlohmann::json as_json(const Description& description, const io::CommandLine& line);
 
 }  // namespace talus::scene

@@ -1,7 +1,6 @@
 // Is a case what decides it, whatever the words, and is what it is measured against what was asked?
 #include <fstream>
 
-#include <CLI/CLI.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include "common/io/options.hpp"
@@ -33,17 +32,17 @@ struct Run {
 };
 
 Run run_with(std::vector<std::string> words, const json& results = {{"flow", 2.0}}) {
-  CLI::App app{"", "made-up"};
+  io::CommandLine line{"", "made-up"};
   double lambda = 1e-6;
   int elements = 40;
   std::string output = "out";
   bool plot = false, checks = false;
-  io::add_real(app, "--lambda-r", lambda, "", 1e-12, 1);
-  io::add_integer(app, "--elements", elements, "", 1, 100);
-  io::add_text(app, "--output", output, "");
-  app.add_flag("--plot", plot, "");
-  app.add_flag("--check-jacobian", checks, "");
-  scene::Case a_case(app, description);
+  io::add_real(line, "--lambda-r", lambda, "", 1e-12, 1);
+  io::add_integer(line, "--elements", elements, "", 1, 100);
+  io::add_text(line, "--output", output, "");
+  io::add_flag(line, "--plot", plot, "");
+  io::add_flag(line, "--check-jacobian", checks, "");
+  scene::Case a_case(line, description);
   words.insert(words.begin(), "made-up");
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());

@@ -9,8 +9,6 @@
 #include <algorithm>
 #include <iostream>
 
-#include <CLI/CLI.hpp>
-
 #include "common/io/options.hpp"
 #include "verification/fuzz/campaign.hpp"
 
@@ -34,32 +32,32 @@ std::vector<fuzz::Kind> chosen_kinds(const std::vector<std::string>& names) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Fuzz of the programs: command lines, pairs of runs, kills, damaged checkpoints",
-               "fuzz"};
+  io::CommandLine line{
+      "Fuzz of the programs: command lines, pairs of runs, kills, damaged checkpoints", "fuzz"};
   int seed = 1, count = 0, only = -1, jobs = 2;
   std::vector<std::string> names;
   std::string programs = std::filesystem::read_symlink("/proc/self/exe").parent_path().string();
   fuzz::CampaignOptions options;
-  io::add_integer(app, "--seed", seed, "All draws follow from it", 0, 2000000000);
-  app.add_option("--kinds", names, "Kinds of trials, separated by commas (all if none is named)")
-      ->delimiter(',');
-  app.add_flag("--full", options.full, "Thousands of trials, some hours");
-  CLI::Option* counted =
-      io::add_integer(app, "--count", count, "Trials of each kind instead", 1, 1000000)
-          ->default_str("");
-  CLI::Option* one =
-      io::add_integer(app, "--only", only, "This trial of each kind alone", 0, 1000000)
-          ->default_str("");
-  io::add_integer(app, "--jobs", jobs, "Trials at a time", 1, 64);
-  io::add_real(app, "--time-limit", options.time_limit,
+  io::add_integer(line, "--seed", seed, "All draws follow from it", 0, 2000000000);
+  io::add_value(line, "--kinds", "NAME",
+                "Kinds of trials, separated by commas (all if none is named)",
+                [&](const std::string& list) { names = io::split(list, ','); })
+      .takes(1, 100);
+  io::add_flag(line, "--full", options.full, "Thousands of trials, some hours");
+  io::add_integer(line, "--count", count, "Trials of each kind instead", 1, 1000000)
+      .without_default();
+  io::add_integer(line, "--only", only, "This trial of each kind alone", 0, 1000000)
+      .without_default();
+  io::add_integer(line, "--jobs", jobs, "Trials at a time", 1, 64);
+  io::add_real(line, "--time-limit", options.time_limit,
                "After so many seconds a run is taken for hung", 1, 1e6);
-  app.add_option("--programs", programs, "Folder of the programs")->capture_default_str();
-  return io::run_program(app, argc, argv, [&] {
+  io::add_text(line, "--programs", programs, "Folder of the programs");
+  return line.run(argc, argv, [&] {
     options.seed = static_cast<std::uint64_t>(seed);
     options.kinds = chosen_kinds(names);
     options.jobs = jobs;
-    if (*counted) options.count = count;
-    if (*one) options.only = only;
+    if (line.is_given("--count")) options.count = count;
+    if (line.is_given("--only")) options.only = only;
     const fuzz::Findings findings = fuzz::campaign(options, programs, std::cout);
     io::print(std::cout, findings.table());
     std::cout << "seed " << seed << ": " << findings.faults.size() << " faults"

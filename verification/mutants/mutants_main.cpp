@@ -8,8 +8,6 @@
 #include <iostream>
 #include <regex>
 
-#include <CLI/CLI.hpp>
-
 #include "common/io/options.hpp"
 #include "common/io/result_folder.hpp"
 #include "common/io/shell.hpp"
@@ -118,26 +116,27 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Mutants: how many one-line mistakes in the product code are noticed?", "mutants"};
+  io::CommandLine line{"Mutants: how many one-line mistakes in the product code are noticed?",
+                       "mutants"};
   Options options;
-  app.add_flag("--list", options.list, "Only print the mutants");
-  io::add_text(app, "--only", options.only, "Mutants whose names match this expression")
-      ->default_str("");
-  io::add_choice(app, "--pursue", options.pursue,
+  io::add_flag(line, "--list", options.list, "Only print the mutants");
+  io::add_text(line, "--only", options.only, "Mutants whose names match this expression")
+      .without_default();
+  io::add_choice(line, "--pursue", options.pursue,
                  "Until the first test fails; until a study and a test of another kind do; by all",
                  {"first", "both", "all"});
-  io::add_text(app, "--propose", options.propose,
+  io::add_text(line, "--propose", options.propose,
                "Only print mutants of this file that are made by rule, for the catalogue")
-      ->default_str("");
-  io::add_integer(app, "--count", options.count, "With --propose: at most so many", 1, 10000);
-  io::add_integer(app, "--seed", options.seed, "With --propose: all draws follow from it", 0,
+      .without_default();
+  io::add_integer(line, "--count", options.count, "With --propose: at most so many", 1, 10000);
+  io::add_integer(line, "--seed", options.seed, "With --propose: all draws follow from it", 0,
                   2000000000);
-  io::add_integer(app, "--jobs", options.jobs, "Mutants at a time", 1, 64);
-  io::add_text(app, "--tree", options.tree, "Root of the source tree");
-  io::add_text(app, "--copy", options.copy, "Folder of the copy, outside of the tree")
-      ->default_str("talus-mutants among the temporary folders");
-  io::add_text(app, "--catalogue", options.catalogue, "Folder of the mutants")
-      ->default_str("verification/mutants/catalogue");
-  io::add_text(app, "--output", options.output, "Folder of the results");
-  return io::run_program(app, argc, argv, [&] { return run(options); });
+  io::add_integer(line, "--jobs", options.jobs, "Mutants at a time", 1, 64);
+  io::add_text(line, "--tree", options.tree, "Root of the source tree");
+  io::add_text(line, "--copy", options.copy, "Folder of the copy, outside of the tree")
+      .by_default("talus-mutants among the temporary folders");
+  io::add_text(line, "--catalogue", options.catalogue, "Folder of the mutants")
+      .by_default("verification/mutants/catalogue");
+  io::add_text(line, "--output", options.output, "Folder of the results");
+  return line.run(argc, argv, [&] { return run(options); });
 }

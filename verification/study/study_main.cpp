@@ -7,8 +7,6 @@
 //   study sweep heap --angle 0.37:0.5:4 --elements 7x10 --quantity flow_rate,depth_yield
 #include <iostream>
 
-#include <CLI/CLI.hpp>
-
 #include "common/io/options.hpp"
 #include "common/io/progress.hpp"
 #include "common/io/shell.hpp"
@@ -39,17 +37,18 @@ void print_cases(const study::Program& program, const std::vector<study::Options
 
 // Sorts the words of the command line: those of the study itself are returned, kind and scene
 // first; the options of the scene and their values are left in `others`.
-std::vector<std::string> own_words(const CLI::App& app, int argc, char** argv,
+std::vector<std::string> own_words(const io::CommandLine& line, int argc, char** argv,
                                    std::vector<std::string>& others) {
   const std::vector<std::string> words(argv, argv + argc);
   std::vector<std::string> own{words[0]}, names;
   for (std::size_t i = 1; i < words.size(); ++i) {
     const bool is_option = words[i].rfind("-", 0) == 0;
-    const CLI::Option* ours =
-        is_option ? app.get_option_no_throw(words[i].substr(0, words[i].find('='))) : nullptr;
+    const std::size_t equals = words[i].find('=');
+    const std::optional<int> ours =
+        is_option ? line.most_values(words[i].substr(0, equals)) : std::nullopt;
     if (ours) {
       own.push_back(words[i]);
-      const int most = words[i].find('=') == std::string::npos ? ours->get_items_expected_max() : 0;
+      const int most = equals == std::string::npos ? *ours : 0;
       for (int taken = 0; taken < most && i + 1 < words.size(); ++taken) {
         if (taken > 0 && words[i + 1].rfind("-", 0) == 0) break;
         own.push_back(words[++i]);
@@ -126,29 +125,29 @@ int run(Asked& asked, const std::string& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Solves the combinations of any options of a scene, and shows what they tell",
-               "study"};
+  io::CommandLine line{
+      "Solves the combinations of any options of a scene, and shows what they tell", "study"};
   Asked asked;
-  app.add_option("KIND", asked.kind, "Kind of study: converge, cost, stability, sweep, ladder")
-      ->required();
-  app.add_option("SCENE", asked.scene,
-                 "Scene, followed by any of its options; a value may be a list (5,10,20) or a "
-                 "range: A:B:N (N values), A:B:+d (steps), A:B:x2, A:B:/10 (factors)")
-      ->required();
-  io::add_text(app, "--quantity", asked.quantity,
+  io::add_text(line, "KIND", asked.kind, "Kind of study: converge, cost, stability, sweep, ladder")
+      .is_required();
+  io::add_text(line, "SCENE", asked.scene,
+               "Scene, followed by any of its options; a value may be a list (5,10,20) or a "
+               "range: A:B:N (N values), A:B:+d (steps), A:B:x2, A:B:/10 (factors)")
+      .is_required();
+  io::add_text(line, "--quantity", asked.quantity,
                "Results or errors to show, joined by commas; default: the scene's own");
-  io::add_integer(app, "--jobs", asked.run.jobs,
+  io::add_integer(line, "--jobs", asked.run.jobs,
                   "Cases at a time; default: one if times are measured, else two", 1, 1024)
-      ->default_str("");
-  io::add_real(app, "--time-limit", asked.run.time_limit, "Seconds that a case may take", 1, 1e6);
-  app.add_flag("--list", asked.list, "Only list the command lines of the cases");
-  io::add_text(app, "--merge", asked.merge, "Solve nothing; take the records from these folders")
-      ->expected(1, 1000);
-  io::add_text(app, "--output", asked.output, "Folder; default results/study/KIND-SCENE");
-  std::vector<std::string> own = own_words(app, argc, argv, asked.scene_words);
+      .without_default();
+  io::add_real(line, "--time-limit", asked.run.time_limit, "Seconds that a case may take", 1, 1e6);
+  io::add_flag(line, "--list", asked.list, "Only list the command lines of the cases");
+  io::add_text(line, "--merge", asked.merge, "Solve nothing; take the records from these folders")
+      .takes(1, 1000);
+  io::add_text(line, "--output", asked.output, "Folder; default results/study/KIND-SCENE");
+  std::vector<std::string> own = own_words(line, argc, argv, asked.scene_words);
   std::vector<char*> pointers;
   for (std::string& word : own) pointers.push_back(word.data());
-  const std::string line = line_of(argc, argv);
-  return io::run_program(app, static_cast<int>(pointers.size()), pointers.data(),
-                         [&] { return run(asked, line); });
+  const std::string command = line_of(argc, argv);
+  return line.run(static_cast<int>(pointers.size()), pointers.data(),
+                  [&] { return run(asked, command); });
 }
