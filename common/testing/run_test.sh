@@ -39,6 +39,11 @@ for program in chute bagnold heap cylinder manufactured study verify fuzz mutant
   check expect_text stdout "$program --elements 1 2"
   check expect_empty stderr
 done
+mkdir -p "$tree/verification/docs"
+printf 'echo docs "$@"\nexit 7\n' >"$tree/verification/docs/read_back.sh"
+run "$tree/run" docs --only '1 2'
+check expect_code 7
+check expect_text stdout "docs $tree $tree/build/release/bin --only 1 2"
 check is_configured "with cache"
 check_fails is_configured without
 

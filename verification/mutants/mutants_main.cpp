@@ -24,11 +24,13 @@ struct Options {
   std::string tree = ".", copy, catalogue, only, propose, pursue = "first";
   std::string output = "results/mutants";
   int jobs = 2, count = 10, seed = 1;
+  double longest = 0;
   bool list = false;
 
   std::string command() const {
     return "./run mutants --pursue " + pursue +
-           (only.empty() ? "" : " --only " + io::shell_word(only));
+           (only.empty() ? "" : " --only " + io::shell_word(only)) +
+           (longest > 0 ? " --longest " + io::rounded(longest, 6) : "");
   }
 };
 
@@ -88,11 +90,12 @@ int run(const Options& options) {
                 << ")\n";
     return 0;
   }
-  const Campaign campaign{options.copy.empty()
-                              ? std::filesystem::temp_directory_path() / "talus-mutants"
-                              : std::filesystem::absolute(options.copy),
-                          std::filesystem::path(options.output) / "verdicts.csv",
-                          pursuit_of(options.pursue), options.jobs};
+  const Campaign campaign{
+      options.copy.empty() ? std::filesystem::temp_directory_path() / "talus-mutants"
+                           : std::filesystem::absolute(options.copy),
+      std::filesystem::path(options.output) / "verdicts.csv", pursuit_of(options.pursue),
+      options.longest > 0 ? options.longest : std::numeric_limits<double>::infinity(),
+      options.jobs};
   make_copy(tree, campaign.copy, mutants);
   const io::ResultFolder folder(options.output);
   std::cout << "Building " << mutants.size() << " mutants in " << campaign.copy.string() << " ..."
@@ -131,6 +134,9 @@ int main(int argc, char** argv) {
   io::add_integer(line, "--count", options.count, "With --propose: at most so many", 1, 10000);
   io::add_integer(line, "--seed", options.seed, "With --propose: all draws follow from it", 0,
                   2000000000);
+  io::add_real(line, "--longest", options.longest,
+               "Only tests that take no more seconds: more mutants survive, in less time", 0.1, 1e6)
+      .without_default();
   io::add_integer(line, "--jobs", options.jobs, "Mutants at a time", 1, 64);
   io::add_text(line, "--tree", options.tree, "Root of the source tree");
   io::add_text(line, "--copy", options.copy, "Folder of the copy, outside of the tree")

@@ -27,13 +27,23 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+// Those that come by it and take no longer than is wanted.
+std::vector<Verifier> verifiers_of(int number, const Campaign& campaign,
+                                   const std::vector<Verifier>& verifiers) {
+  std::vector<Verifier> some;
+  for (const Verifier& verifier : verifiers)
+    if (verifier.reached.contains(number) && verifier.seconds <= campaign.longest)
+      some.push_back(verifier);
+  return some;
+}
+
+// `verifiers`: those that come by it.
 Verdict pursue_one(const Mutant& mutant, int number, Pursuit pursuit,
                    const std::vector<Verifier>& verifiers) {
   Verdict verdict{mutant.name};
   bool has_study = false, has_test = false;
   for (const Verifier& verifier : verifiers) {
     bool& is_noticed = verifier.is_study() ? has_study : has_test;
-    if (!verifier.reached.contains(number)) continue;
     if (pursuit == Pursuit::first_kill && verdict.is_killed()) break;
     if (pursuit == Pursuit::both && is_noticed) continue;
     const Run run = run_verifier(verifier, {"TALUS_MUTANT=" + std::to_string(number)},
@@ -48,15 +58,17 @@ Verdict pursue_one(const Mutant& mutant, int number, Pursuit pursuit,
 }
 
 // The table of verdicts on disk: a first line that says of what code and how far pursued, then
-// name, verifiers tried, seconds, killers.
+// name, verifiers tried, seconds, killers. A survivor of the quicker verifiers is pursued anew when
+// longer ones are wanted.
 class Memory {
  public:
   Memory(const Campaign& campaign, const std::vector<Verifier>& verifiers) : path_(campaign.table) {
     std::string names;
     for (const Verifier& verifier : verifiers) names += verifier.name + " ";
-    const std::string head = fingerprint(campaign.copy) + "," +
-                             std::to_string(static_cast<int>(campaign.pursuit)) + "," +
-                             io::checksum(names);
+    const std::string head =
+        fingerprint(campaign.copy) + "," + std::to_string(static_cast<int>(campaign.pursuit)) +
+        "," + (campaign.pursuit == Pursuit::first_kill ? "" : io::exact(campaign.longest)) + "," +
+        io::checksum(names);
     std::ifstream in(path_);
     std::string line;
     if (std::getline(in, line) && line == head) {
@@ -73,9 +85,13 @@ class Memory {
     io::write_file("--output", path_, head + "\n");
   }
 
-  std::optional<Verdict> verdict(const std::string& name) const {
+  // Nothing if so many verifiers say more than those that were tried.
+  std::optional<Verdict> verdict(const std::string& name, std::size_t verifiers) const {
     const auto found = known_.find(name);
-    return found == known_.end() ? std::nullopt : std::optional(found->second);
+    if (found == known_.end()) return std::nullopt;
+    const bool is_final =
+        found->second.is_killed() || static_cast<std::size_t>(found->second.tried) >= verifiers;
+    return is_final ? std::optional(found->second) : std::nullopt;
   }
 
   void add(const Verdict& verdict) const {
@@ -104,14 +120,15 @@ std::vector<std::optional<Verdict>> pursue(const Campaign& campaign,
   std::vector<std::optional<Verdict>> verdicts(mutants.size());
   std::vector<std::size_t> left;
   for (const std::size_t i : chosen) {
-    verdicts[i] = memory.verdict(mutants[i].name);
+    const auto some = verifiers_of(static_cast<int>(i), campaign, verifiers);
+    verdicts[i] = memory.verdict(mutants[i].name, some.size());
     if (!verdicts[i]) left.push_back(i);
   }
   std::mutex mutex;
   process::in_parallel(campaign.jobs, left.size(), [&](std::size_t k) {
     const std::size_t i = left[k];
-    const Verdict verdict =
-        pursue_one(mutants[i], static_cast<int>(i), campaign.pursuit, verifiers);
+    const Verdict verdict = pursue_one(mutants[i], static_cast<int>(i), campaign.pursuit,
+                                       verifiers_of(static_cast<int>(i), campaign, verifiers));
     const std::lock_guard lock(mutex);
     if (process::interrupted()) return;
     verdicts[i] = verdict;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include "common/io/table.hpp"
@@ -29,6 +30,7 @@ struct Verdict {
 struct Campaign {
   std::filesystem::path copy, table;  ///< table: verdicts.csv, taken up again if it is of this code
   Pursuit pursuit = Pursuit::first_kill;
+  double longest = std::numeric_limits<double>::infinity();  ///< verifiers of more seconds rest
   int jobs = 2;
 };
 

@@ -1,0 +1,146 @@
+#!/usr/bin/env bash
+# ./run docs: runs every command of README and docs, and reads every number back that a comment
+# `<!-- read back ... -->` in a page says how to make (readings.awk tells how one is written).
+# usage: read_back.sh ROOT PROGRAMS [--only TEXT] [--list]
+set -u
+root=$1 programs=$2
+shift 2
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+only= list=no
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --only) [ $# -ge 2 ] || { echo "docs: --only: its value is missing" >&2; exit 2; }
+            only=$2; shift ;;
+    --list) list=yes ;;
+    -h | --help)
+      echo "Usage: ./run docs [--only TEXT] [--list]"
+      echo "Runs the commands of README and docs, and compares the numbers beside them with what they print."
+      echo "  --only TEXT  Pages whose paths contain this text"
+      echo "  --list       Only list the pages, their numbers, readings and commands"
+      exit 0 ;;
+    *) echo "docs: '$1' is none of: --only --list --help" >&2; exit 2 ;;
+  esac
+  shift
+done
+mapfile -t pages < <(cd "$root" && find README.md docs -name '*.md' | LC_ALL=C sort | grep -F -- "$only")
+[ ${#pages[@]} -gt 0 ] || { echo "docs: --only: '$only' is in no path of README.md and docs/" >&2; exit 2; }
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+trap 'exit 130' INT TERM
+PATH=$programs:$PATH
+export work root here PATH
+
+# What scripts of readings can call. The folder they run in is that of their page.
+
+solve() {  # PROGRAM ARGUMENT...: once for all readings; what it printed is printed, `get` and `rows` read its files
+  solved=$work/solved/$(printf '%s\n' "$@" | cksum | tr ' ' _)
+  if [ ! -d "$solved" ]; then
+    mkdir -p "$solved"
+    "$@" --output "$solved" >"$solved.out" 2>&1
+  fi
+  cat "$solved.out"
+}
+get() {  # KEY...: numbers of the last solve's summary.json
+  local key
+  for key; do sed -n '/^ *"'"$key"'": /{s/.*: //; s/,$//; p; q}' "$solved/summary.json"; done
+}
+rows() {  # FILE [AWK PROGRAM]: of the last solve; its columns are separated by commas
+  awk -F, "${2:-1}" "$solved/$1"
+}
+part() {  # STUDY/PART [--full]: its tables and checks, made once
+  local folder=$work/parts/${1//\//_}${2:-}
+  [ -d "$folder" ] || { mkdir -p "$folder"; verify "$@" --output "$folder" >"$folder.out" 2>&1; }
+  cat "$folder.out" "$folder"/*/*.csv
+}
+task() {  # EXERCISE N: what the code of its task N prints; the tasks before it come first
+  local tasks=$work/tasks/$1
+  if [ ! -d "$tasks" ]; then
+    mkdir -p "$tasks"
+    awk -v folder="$tasks" '
+      /^## Tasks/ { started = 1 }
+      /^## Questions/ { started = 0; task = "end" }
+      started && /^[0-9]+\. / { task = $1 + 0 }
+      started && !in_code && /`cylinder [^`]*`/ {  # a command within a line
+        split($0, parts, "`"); print parts[2] > (folder "/" task ".sh") }
+      /^ *```/ { in_code = !in_code; next }
+      in_code && !started && task == "" && !/run build|^PATH=/ { print > (folder "/0.sh") }
+      in_code && started { print > (folder "/" task ".sh") }' "$root/docs/exercises/$1"
+    (
+      cd "$tasks" || exit
+      touch 0.sh
+      {
+        cat 0.sh
+        for script in $(ls [1-9]*.sh | sort -n); do
+          echo "{"; cat "$script"; echo "} >${script%.sh}.out 2>&1"
+        done
+      } >all
+      bash all
+    )
+  fi
+  cat "$tasks/$2.out"
+}
+export -f solve get rows part task
+
+failures=0
+tell_failure() { echo "  $1"; failures=$((failures + 1)); }
+
+read_back() {  # PAGE READING: adds to read, loose
+  local page=$1 at=$work/page/$2 line printed
+  line=$(cat "$at.line")
+  (cd "$work/page" && bash "$at.script") >"$at.out" 2>"$at.err" </dev/null
+  printed=$(awk -f "$here/numbers.awk" -f "$here/compare.awk" -v apart="$(cat "$at.apart")" \
+    "$at.numbers" "$at.out")
+  case "$printed" in
+    wrong*) set -- $printed
+            tell_failure "$page:$2: $3 is not what its commands print (comment of line $line)"
+            return ;;
+  esac
+  set -- ${printed##*read }
+  [ "$1" -gt 0 ] || tell_failure "$page:$line: this reads no number back"
+  read=$((read + $1)) loose=$((loose + $2))
+}
+
+try_command() {  # PAGE EXPECTED_CODE WORDS
+  local code
+  (cd "$work/commands" && eval "$3") >"$work/command.out" 2>&1 </dev/null
+  code=$?
+  [ $code -eq "$2" ] ||
+    tell_failure "$1: './run $3' exits with $code: $(tail -n 1 "$work/command.out")"
+}
+
+numbers_of() {  # PAGE: its readings go to $work/page
+  rm -rf "$work/page" "$work/commands"
+  mkdir -p "$work/page" "$work/commands"
+  awk -f "$here/numbers.awk" -f "$here/readings.awk" -v folder="$work/page" "$root/$1" || exit 2
+}
+
+# Those that take hours, or are no more than a build.
+is_for_another_day() { [[ $1 == build* || $1 == mutants* || $1 == *"verify --full"* || $1 == docs* ]]; }
+
+printf '%-38s %8s %9s %6s %9s\n' page numbers "read back" loose commands
+all_numbers=0 all_read=0 all_loose=0
+for page in "${pages[@]}"; do
+  numbers_of "$page"
+  readings=$(cat "$work/page/readings") total=$(cat "$work/page/total") read=0 loose=0
+  mapfile -t commands < <(awk -f "$here/commands.awk" "$root/$page")
+  tried=0
+  for command in "${commands[@]}"; do
+    words=${command#*$'\t'}
+    { [ -z "$words" ] || is_for_another_day "$words"; } && continue
+    tried=$((tried + 1))
+    if [ $list = yes ]; then echo "    $words"; else try_command "$page" "${command%%$'\t'*}" "$words"; fi
+  done
+  for ((reading = 1; reading <= readings; ++reading)); do
+    if [ $list = yes ]; then
+      read=$((read + $(wc -l <"$work/page/$reading.numbers")))
+    else
+      read_back "$page" $reading
+    fi
+  done
+  printf '%-38s %8d %9d %6s %9d\n' "$page" "$total" $read $loose $tried
+  all_numbers=$((all_numbers + total)) all_read=$((all_read + read)) all_loose=$((all_loose + loose))
+done
+printf '%-38s %8d %9d %6s\n' all $all_numbers $all_read $all_loose
+[ $list = yes ] && exit 0
+echo "loose: another last digit would not be noticed; $failures failures"
+[ $failures -eq 0 ]

@@ -1,0 +1,68 @@
+# Reads a page and writes to `folder`, for each reading K of it: K.line (where it is), K.script
+# (what makes its numbers), K.numbers (a line each: line of the page, number as printed, step) and
+# K.apart (numbers that are not compared). A reading is a comment behind a paragraph, a table or a block of
+# output:
+#
+#     <!-- read back [all] [but NUMBER ...: why]
+#     SCRIPT
+#     -->
+#
+# In a paragraph numbers of three digits and more count, with `all` each of them. To `folder`/total
+# goes the count of numbers of three digits and more on the page, code apart, with or without a reading.
+
+function found(word, value, step) {
+  if (counting) total += digits_of(word) >= 3
+  else if (every || digits_of(word) >= 3) print current, word, step > (folder "/" readings ".numbers")
+}
+
+function forget() { lines = 0; kind = "" }
+
+function keep(text) { block[++lines] = text; place[lines] = FNR }
+
+function begin_reading(options,    i, apart) {
+  ++readings
+  print FNR > (folder "/" readings ".line")
+  printf "" > (folder "/" readings ".numbers")
+  printf "" > (folder "/" readings ".script")
+  printf "" > (folder "/" readings ".apart")
+  apart = ""
+  if (match(options, /but [^:]*/)) apart = substr(options, RSTART + 4, RLENGTH - 4)
+  print apart > (folder "/" readings ".apart")
+  every = kind != "text" || options ~ /(^| )all( |$)/
+  for (i = 1; i <= lines; ++i) {
+    if (kind == "table" && i <= 2) continue
+    current = place[i]
+    scan_numbers(kind == "output" ? block[i] : plain(block[i]))
+  }
+}
+
+/^<!-- read back/ && !in_code {
+  begin_reading(substr($0, 15))
+  in_script = 1
+  next
+}
+in_script && /^-->/ { in_script = 0; forget(); next }
+in_script { print > (folder "/" readings ".script"); next }
+/^ *<!--/ { next }
+/^ *```/ {
+  in_code = !in_code
+  if (in_code) { forget(); kind = "output" }
+  next
+}
+in_code { keep($0); next }
+/^ *$/ { ended = 1; next }
+{
+  new_kind = /^ *\|/ ? "table" : "text"
+  if (ended || new_kind != kind) forget()
+  ended = 0
+  kind = new_kind
+  keep($0)
+  counting = 1
+  if (!/^    [^ ]/ && !/^ *\|[-| ]*$/) scan_numbers(plain($0))
+  counting = 0
+}
+END {
+  if (in_script) { print FILENAME ": a reading that does not end" > "/dev/stderr"; exit 2 }
+  print total + 0 > (folder "/total")
+  print readings + 0 > (folder "/readings")
+}
