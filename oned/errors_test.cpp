@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <boost/test/unit_test.hpp>
 
@@ -181,6 +182,30 @@ BOOST_AUTO_TEST_CASE(rates_and_stresses_of_a_solved_scene_tend_to_the_exact_ones
   const Errors coarse = solved(20), fine = solved(40);
   BOOST_TEST(std::log2(coarse.shear_rate.l2 / fine.shear_rate.l2) == 2, tolerance(0.05));
   BOOST_TEST(std::log2(coarse.stress.l2 / fine.stress.l2) > 1.9);
+}
+
+BOOST_AUTO_TEST_CASE(every_error_of_the_summary_is_under_the_name_of_its_norm) {
+  const ShearScene scene = scene_of(Bagnold{});
+  Solution solution = made_by_hand(scene, {.elements = 8}, 1.2, 0.1);
+  solution.end = solve::End::converged;
+  solution.newton.newton.history = {{0, 0}};
+  const Errors error = errors(solution, scene);
+  const nlohmann::json results = summary(scene, {}, solution).at("results");
+  const std::vector<std::pair<std::string, double>> expected = {
+      {"error_l2", error.l2},
+      {"error_max", error.max},
+      {"error_nodal_max", error.nodal_max},
+      {"error_paper_rms", error.paper_rms},
+      {"error_shear_rate_l2", error.shear_rate.l2},
+      {"error_shear_rate_max", error.shear_rate.max},
+      {"error_stress_l2", error.stress.l2},
+      {"error_stress_max", error.stress.max}};
+  std::set<double> values;
+  for (const auto& [name, value] : expected) {
+    BOOST_TEST(results.at(name) == value, name);
+    values.insert(value);
+  }
+  BOOST_TEST(values.size() >= expected.size() - 1);  // the largest may be that of a node
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -60,4 +60,21 @@ BOOST_AUTO_TEST_CASE(another_loading_is_another_flow) {
   BOOST_TEST(apart.pressure > 1e-9);
 }
 
+BOOST_AUTO_TEST_CASE(a_flow_across_put_in_by_hand_is_measured) {
+  twod::CylinderFlow plane(coarse());
+  const threed::CylinderLayer layer(plane);
+  solve::CompensatedVector of_plane = plane.space().start();
+  for (Eigen::Index node = 0; 2 * node < plane.space().velocity_count(); ++node)
+    of_plane.set(plane.space().velocity_index(node, 1), -0.5);
+  auto state = mixed::extruded_state(plane.space(), of_plane, layer.space());
+  const auto apart = [&] {
+    return mixed::departure_from_plane(plane.space(), of_plane, layer.space(), state);
+  };
+  BOOST_TEST(apart().velocity == 0);
+  BOOST_TEST(apart().cross_flow == 0);
+  state.set(layer.space().velocity_index(7, 2), -0.1);
+  BOOST_TEST(apart().cross_flow == 0.2, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(apart().velocity == 0);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -167,4 +167,35 @@ BOOST_AUTO_TEST_CASE(the_grid_lists_hexahedra_of_27_nodes_with_all_fields) {
     BOOST_TEST(vtu.find(text) != std::string::npos, text);
 }
 
+// At rest in the middle of an element the pressure is that of the depth; what else a cell holds
+// follows from the point values.
+BOOST_AUTO_TEST_CASE(fields_are_what_their_names_say) {
+  const Heap heap = heap_at(0.42);
+  const HeapSolution solution = threed::solve(heap, small, {.start = Start::rest});
+  const io::Grid<3> fields = grid(solution);
+  const auto values = [&](const std::string& name) {
+    const auto found = std::ranges::find(fields.cell_fields, name, &io::Field::name);
+    BOOST_REQUIRE(found != fields.cell_fields.end());
+    return found->values;
+  };
+  const auto& mesh = solution.flow->space().mesh();
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    double depth = 0;
+    for (const auto node : mesh.elements[e])
+      depth += (heap.section.height - mesh.nodes[static_cast<std::size_t>(node)][2]) / 27;
+    const double pressure = depth * std::cos(0.42);
+    BOOST_TEST(values("pressure")[e] == pressure, boost::test_tools::tolerance(1e-10));
+    BOOST_TEST(std::abs(values("dynamic_pressure")[e]) < 1e-8);
+    BOOST_TEST(values("stress_over_yield_stress")[e] ==
+                   values("stress")[e] / (heap.section.law.mu_s * pressure),
+               boost::test_tools::tolerance(1e-10));
+    BOOST_TEST(values("inertial_number")[e] ==
+                   heap.section.law.inertial_number(values("shear_rate")[e], pressure),
+               boost::test_tools::tolerance(1e-10));
+  }
+  auto section_space = twod::space_of(heap.section, small.section);
+  const nlohmann::json all = summary(solution, section_space);
+  BOOST_TEST(all.at("unknowns") == solution.flow->space().size());
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -64,6 +64,12 @@ void check_measures(const oned::ShearScene& scene, const threed::UnidirectionalO
   BOOST_TEST(apart.shear_rate.max < 1e-8 * size);
   BOOST_TEST(apart.stress.max < 1e-8 * scene.length);
   BOOST_TEST(richer.cross_flow < 1e-10 * size);
+  double across_the_stream = 0;  // the same, read off the nodes
+  for (Eigen::Index node = 0; Dim * node < richer.space->velocity_count(); ++node)
+    for (int i = 1; i < Dim; ++i)
+      across_the_stream = std::max(
+          across_the_stream, std::abs(richer.state.value()[richer.space->velocity_index(node, i)]));
+  BOOST_TEST(richer.cross_flow == across_the_stream, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(richer.dynamic_pressure < 1e-8 * scene.length);
   BOOST_TEST(richer.change_along < 1e-10);
   BOOST_TEST(richer.unknowns == richer.space->size());
@@ -100,9 +106,12 @@ BOOST_AUTO_TEST_CASE(a_line_across_is_what_was_extruded) {
   const auto space = threed::space_of<3>(scene, oned::boundaries(scene, {.elements = 3}));
   Eigen::VectorXd value(7);
   value << 1, 2, 3, 4, 5, 6, 7;
-  const solve::CompensatedVector velocity(value);
+  const Eigen::VectorXd correction = 1e-17 * value.array().square();
+  const solve::CompensatedVector velocity(value, correction);
   const auto state = mixed::extruded(space, velocity);
   BOOST_TEST(threed::line_across(space, state, 7).value() == value,
+             boost::test_tools::per_element());
+  BOOST_TEST(threed::line_across(space, state, 7).correction() == correction,
              boost::test_tools::per_element());
   BOOST_TEST(threed::departure(scene, space, state, velocity).velocity == 0);
 }
@@ -137,6 +146,18 @@ BOOST_AUTO_TEST_CASE(without_continuation_a_tangent_that_is_broken_leads_nowhere
   options.tangent_term = shear::TangentTerm::full;
   for (const auto& named : threed::check_unidirectional<3>(scene, across, options))
     BOOST_TEST(named.check.passed(), named.state);
+}
+
+BOOST_AUTO_TEST_CASE(elements_of_a_uniform_line_are_cubes) {
+  const auto scene = scene_of(oned::Chute{});
+  const auto across = oned::boundaries(scene, {.elements = 7});
+  const double edge = scene.length / 7;
+  const auto space = threed::space_of<3>(scene, across, {.along = 3, .between = 2});
+  fem::Point<3> farthest = fem::Point<3>::Zero();
+  for (const auto& node : space.mesh().nodes) farthest = farthest.cwiseMax(node);
+  BOOST_TEST(farthest[0] == 3 * edge, boost::test_tools::tolerance(1e-13));
+  BOOST_TEST(farthest[1] == 2 * edge, boost::test_tools::tolerance(1e-13));
+  BOOST_TEST(farthest[2] == scene.length, boost::test_tools::tolerance(1e-13));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -65,6 +65,26 @@ BOOST_AUTO_TEST_CASE(pressures_and_velocities_have_their_own_extremes) {
   BOOST_TEST(m.divergence < 1e-13);
 }
 
+// What a moving material brings: of u = (0, G (z + c)) the integral of -u·∇w is -G² times that of z
+// + c, over the whole channel, whose middle is at z = 0.
+BOOST_AUTO_TEST_CASE(the_flux_of_momentum_is_that_of_a_flow_put_in_by_hand) {
+  Uniform flow(0, 0);
+  const auto& space = flow.cylinder.space();
+  const double G = 0.3, c = 40;
+  Eigen::VectorXd value = flow.state.value();
+  for (std::size_t node = 0; node < space.mesh().nodes.size(); ++node)
+    value[space.velocity_index(static_cast<Eigen::Index>(node), 1)] =
+        G * (space.mesh().nodes[node][1] + c);
+  flow.state = State(solve::CompensatedVector(value));
+  const CylinderMeasures m = flow.measures();
+  const double area = m.weight / m.loading;
+  BOOST_TEST(m.momentum_flux == -G * G * c * area, tolerance(1e-10));
+  Cylinder still = flow.scene;
+  still.inertia = false;
+  CylinderFlow without(still);
+  BOOST_TEST(measure(without, flow.state).momentum_flux == 0.0);
+}
+
 BOOST_AUTO_TEST_CASE(shares_count_what_yields_what_is_ill_posed_and_what_is_pulled) {
   const auto shares = [](double rate, double pressure) {
     const CylinderMeasures m = Uniform(rate, pressure).measures();

@@ -172,4 +172,18 @@ BOOST_AUTO_TEST_CASE(a_line_that_cannot_be_aligned_is_refused) {
   BOOST_TEST(can_align(14, 40, 13, 0.5));
 }
 
+BOOST_AUTO_TEST_CASE(an_aligned_line_has_elements_as_near_the_uniform_size_as_whole_numbers_allow) {
+  for (const double fraction : {0., 0.3, 0.5, 0.9})
+    for (const int elements : {10, 20, 41}) {
+      const double point = 10.724, length = 14, uniform = length / elements;
+      const auto line = aligned_line(length, elements, point, fraction, 1);
+      // One element more or less before the point would be further off.
+      const double count = point / line[1];
+      for (const double other : {count - 1, count + 1})
+        BOOST_TEST(std::abs(elements * point / length - count) <=
+                   std::abs(elements * point / length - other) + 1e-9);
+      BOOST_TEST(line[1] == uniform, tolerance(0.6 / count));
+    }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

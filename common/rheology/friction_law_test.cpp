@@ -179,4 +179,17 @@ BOOST_AUTO_TEST_CASE(without_pressure_inertial_number_friction_and_posedness_hav
   BOOST_TEST(law.well_posedness(unbounded) == law.well_posedness(1e12), tolerance(1e-9));
 }
 
+BOOST_AUTO_TEST_CASE(n_is_largest_at_the_best_posed_inertial_number) {
+  for (const FrictionLaw& law : {FrictionLaw{}, cylinder_law()}) {
+    const auto n = [&](double log_I) {
+      const double I = std::exp(log_I);
+      return I * law.friction_derivative(I) / law.friction(I);
+    };
+    const double best = std::log(law.best_posed());
+    BOOST_TEST(std::abs(testing::difference(n, best, 1)) < 1e-9 * n(best));
+    BOOST_TEST(n(best) > n(best - 0.1));
+    BOOST_TEST(n(best) > n(best + 0.1));
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

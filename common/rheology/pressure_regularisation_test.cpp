@@ -129,4 +129,15 @@ BOOST_AUTO_TEST_CASE(regimes_have_names_of_their_own) {
   BOOST_TEST(name_of(Regime::no_steady_state) == "no_steady_state");
 }
 
+// Where nothing presses (16) leaves a pressure of λr/2, and with it a yield stress.
+BOOST_AUTO_TEST_CASE(yield_is_judged_by_the_regularised_pressure) {
+  const Rheology law({}, ChauchatMedale{}, 0.1);
+  const double yield = law.law.mu_s * 0.05;  // at p = 0
+  for (const auto& [rate, has_yielded] : {std::pair{0.01, false}, {0.05, false}, {10., true}}) {
+    const LocalState at = law.local_state(rate, 0);
+    BOOST_TEST((at.stress() > yield) == has_yielded);
+    BOOST_TEST(at.has_yielded == has_yielded);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

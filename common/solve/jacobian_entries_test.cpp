@@ -1,3 +1,5 @@
+#include "common/solve/jacobian_entries.hpp"
+
 #include <limits>
 
 #include <boost/test/unit_test.hpp>
@@ -50,6 +52,27 @@ BOOST_AUTO_TEST_CASE(columns_that_share_no_row_are_differenced_together) {
   check = check_jacobian(problem);
   BOOST_TEST(check.entries.row == 0);
   BOOST_TEST(check.entries.column == n - 1);
+}
+
+BOOST_AUTO_TEST_CASE(an_entry_that_has_no_difference_is_not_evaluated) {
+  JacobianProblem problem;
+  problem.size = 4;
+  bool breaks = true;
+  problem.residual = [&](const Eigen::VectorXd& d) {
+    Residual r{d + Eigen::VectorXd::Ones(4), Eigen::VectorXd::Constant(4, 2), {}};
+    if (breaks && d[3] != 0) r.value[3] = std::numeric_limits<double>::quiet_NaN();
+    r.round_off = std::numeric_limits<double>::epsilon() * r.magnitude;
+    return r;
+  };
+  problem.product = [](const Eigen::VectorXd& v) -> Eigen::VectorXd { return v; };
+  problem.rows = problem.columns = {{"x", {0, 1, 2, 3}}};
+  const Eigen::VectorXd scale = Eigen::VectorXd::Ones(4);
+  const auto verdict = [&] {
+    return test_entries(problem, claimed_matrix(problem), scale).verdict;
+  };
+  BOOST_CHECK(verdict() == Verdict::not_evaluated);
+  breaks = false;
+  BOOST_CHECK(verdict() == Verdict::right);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

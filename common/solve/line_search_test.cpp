@@ -53,4 +53,23 @@ BOOST_AUTO_TEST_CASE(the_search_on_the_norm_halves_and_asks_for_a_decrease) {
                  .step == 0);
 }
 
+// False position by Illinois' rule (Dowell & Jarratt 1971): of an end that stays the slope is
+// halved.
+BOOST_AUTO_TEST_CASE(an_end_that_stays_counts_for_half) {
+  std::vector<double> places;
+  const auto slope = [&](double t) {
+    places.push_back(t);
+    return t < 1e-3 ? -1. : 1 + t;  // the kink is what is sought
+  };
+  search_energy_slope(-1, slope);
+  BOOST_TEST_REQUIRE(places.size() >= 4);
+  const auto crossing = [](double low, double at_low, double high, double at_high) {
+    return low - at_low * (high - low) / (at_high - at_low);
+  };
+  BOOST_TEST(places[0] == 1);
+  BOOST_TEST(places[1] == crossing(0, -1, 1, 2));
+  BOOST_TEST(places[2] == crossing(0, -0.5, places[1], 1 + places[1]));
+  BOOST_TEST(places[3] == crossing(0, -0.25, places[2], 1 + places[2]));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

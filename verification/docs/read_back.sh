@@ -32,7 +32,7 @@ export work root here PATH
 
 # What scripts of readings can call. The folder they run in is that of their page.
 
-solve() {  # PROGRAM ARGUMENT...: once for all readings; what it printed is printed, `get` and `rows` read its files
+solve() {  # PROGRAM ARGUMENT...: once for all readings; what it printed is printed, `get` and `columns` read its files
   solved=$work/solved/$(printf '%s\n' "$@" | cksum | tr ' ' _)
   if [ ! -d "$solved" ]; then
     mkdir -p "$solved"
@@ -44,13 +44,15 @@ get() {  # KEY...: numbers of the last solve's summary.json
   local key
   for key; do sed -n '/^ *"'"$key"'": /{s/.*: //; s/,$//; p; q}' "$solved/summary.json"; done
 }
-rows() {  # FILE [AWK PROGRAM]: of the last solve; its columns are separated by commas
-  awk -F, "${2:-1}" "$solved/$1"
+columns() {  # FILE NAME...: these columns of a table of the last solve
+  awk -F, -v names="${*:2}" '
+    NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; count = split(names, name, " "); next }
+    { for (i = 1; i <= count; ++i) printf "%s ", $at[name[i]]; print "" }' "$solved/$1"
 }
-part() {  # STUDY/PART [--full]: its tables and checks, made once
+part() {  # STUDY/PART [--full]: made once; its tables and checks are the files of folder $tables
   local folder=$work/parts/${1//\//_}${2:-}
   [ -d "$folder" ] || { mkdir -p "$folder"; verify "$@" --output "$folder" >"$folder.out" 2>&1; }
-  cat "$folder.out" "$folder"/*/*.csv
+  tables=$(echo "$folder"/*/)
 }
 task() {  # EXERCISE N: what the code of its task N prints; the tasks before it come first
   local tasks=$work/tasks/$1
@@ -79,7 +81,7 @@ task() {  # EXERCISE N: what the code of its task N prints; the tasks before it 
   fi
   cat "$tasks/$2.out"
 }
-export -f solve get rows part task
+export -f solve get columns part task
 
 failures=0
 tell_failure() { echo "  $1"; failures=$((failures + 1)); }
