@@ -46,6 +46,7 @@ Solution solved(const ShearScene& scene, const MeshOptions& mesh, const SolveOpt
   const std::vector<double> line = boundaries(scene, mesh);
   Solution solution = oned::solve(scene, line, options);
   BOOST_REQUIRE(talus::solve::is_success(solution.end));
+  BOOST_TEST(solution.seconds > 0);
   return solution;
 }
 

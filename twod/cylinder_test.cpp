@@ -159,6 +159,19 @@ BOOST_AUTO_TEST_CASE(fields_are_finite_where_nothing_presses) {
   BOOST_TEST(is_unbounded);
 }
 
+// Creep keeps factors over several steps; whoever solves next has the solver he chose.
+BOOST_AUTO_TEST_CASE(creep_leaves_the_flow_as_it_was) {
+  for (const auto solver : {mixed::LinearSolver::direct, mixed::LinearSolver::lagged}) {
+    CylinderFlow cylinder(cylinder_of(16));
+    cylinder.flow().set_linear_solver(solver);
+    const rheology::Rheology before = cylinder.flow().rheology();
+    creep(cylinder, 0.03);
+    BOOST_CHECK(cylinder.flow().linear_solver() == solver);
+    BOOST_TEST(cylinder.flow().rheology().lambda_r == before.lambda_r);
+    BOOST_TEST(cylinder.flow().rheology().pressure_floor == before.pressure_floor);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(reports_keep_what_was_measured) {
   CylinderFlow cylinder(cylinder_of(16));
   const State state = creep(cylinder, 0.03);

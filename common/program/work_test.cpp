@@ -137,4 +137,14 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_is_refused_with_the_largest_size_that_wou
   BOOST_TEST(says(outcome_of(std::nan(""), 10).refusal, "needs about"));
 }
 
+// 24 factorisations of the heap's 70x100 take 1.8 s by interior points (docs/heap.md), and memory
+// the size of the factors: the guess is of that order.
+BOOST_AUTO_TEST_CASE(the_interior_point_of_a_section_costs_what_was_measured) {
+  const Work work = section_work({70, 100}, true, 24);
+  BOOST_TEST(work.seconds > 0.6);
+  BOOST_TEST(work.seconds < 5);
+  BOOST_TEST(work.bytes > section_work({70, 100}, false, 24).bytes);
+  BOOST_TEST(work.seconds < 2 * section_work({70, 100}, false, 24).seconds);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -177,4 +177,12 @@ BOOST_AUTO_TEST_CASE(a_reference_that_is_none_is_refused_by_name) {
   BOOST_TEST(scene::reference_values(file).at("flow") == 1);
 }
 
+BOOST_AUTO_TEST_CASE(of_a_reference_numbers_are_compared_and_its_own_errors_are_not) {
+  const json known = {{"flow", 2.0}, {"error_l2", 0.1}, {"mesh", 7}, {"other", 1}};
+  const json errors =
+      scene::errors_against(known, {{"flow", 2.5}, {"error_l2", 0.2}, {"mesh", "7x7"}});
+  BOOST_TEST(errors.size() == 1);
+  BOOST_TEST(errors.at("error_flow") == 0.25);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

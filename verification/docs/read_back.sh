@@ -40,9 +40,15 @@ solve() {  # PROGRAM ARGUMENT...: once for all readings; what it printed is prin
   fi
   cat "$solved.out"
 }
-get() {  # KEY...: numbers of the last solve's summary.json
+get() {  # KEY...: numbers of the last solve's summary.json, of its results first
   local key
-  for key; do sed -n '/^ *"'"$key"'": /{s/.*: //; s/,$//; p; q}' "$solved/summary.json"; done
+  for key; do
+    awk -v key="\"$key\":" '
+      /^  "results": \{/ { in_results = 1 }
+      /^  \}/ { in_results = 0 }
+      $1 == key && (in_results || (/^  "/ && other == "")) { other = $2; if (in_results) exit }
+      END { sub(/,$/, "", other); print other }' "$solved/summary.json"
+  done
 }
 columns() {  # FILE NAME...: these columns of a table of the last solve
   awk -F, -v names="${*:2}" '
