@@ -59,6 +59,15 @@ run_again "$verify" "${some[@]}" --merge 'the parts/paper' 'the parts/stability-
 check expect_code 0
 check test "$(verdicts)" = "$direct"
 
+# A chapter that the program mutants left joins them.
+mkdir "$work/run/campaign"
+cp -r "$work/run/the parts/paper/paper" "$work/run/campaign/mutants"
+run_again "$verify" --merge 'the parts' campaign --output merged
+check expect_text stdout "mutants: "
+run_again "$verify" "${some[@]}" --merge 'the parts' --output merged
+check test "$(verdicts)" = "$direct"
+check test -z "$(grep -o mutants: "$work/stdout")"
+
 # What is missing has not passed, nor has what is torn; the report is written.
 run_again "$verify" paper stability --merge 'the parts' --output merged
 check expect_code 1

@@ -100,11 +100,18 @@ std::vector<verification::Written> run(const std::vector<Study>& chosen, const A
       [&](const std::string& running, double done) { progress.show(running, done); });
 }
 
-// Where there are parts to merge, in which case nothing is run.
-verification::Found found_parts(const Asked& asked) {
+// Where there are parts to merge, in which case nothing is run. Chapters of other programs join
+// those that were chosen.
+verification::Found found_parts(const Asked& asked, std::vector<Study>& chosen) {
   std::vector<std::filesystem::path> folders;
   for (const std::string& each : io::split(asked.merge, ',')) folders.emplace_back(each);
-  const auto found = verification::find_parts(verification::studies(), folders);
+  std::vector<Study> all = verification::studies();
+  const auto& others = verification::studies_elsewhere();
+  all.insert(all.end(), others.begin(), others.end());
+  const auto found = verification::find_parts(all, folders);
+  if (asked.names.empty())
+    std::ranges::copy_if(others, std::back_inserter(chosen),
+                         [&](const Study& study) { return found.folders.contains(study.name); });
   if (asked.run.full && !found.is_full)
     throw io::UserError("--full: the parts to --merge were run without");
   return found;
@@ -164,13 +171,13 @@ int main(int argc, char** argv) {
     const bool runs = asked.merge.empty();
     io::refuse_unused(
         line, {{{"--jobs", "--merge"}, !asked.list, "--list"}, {{"--jobs"}, runs, "--merge"}});
-    const auto chosen = chosen_studies(asked.names);
+    auto chosen = chosen_studies(asked.names);
     if (asked.list) {
       if (!line.is_given("--output")) asked.output = "results/parts";
       print_parts(chosen, asked);
       return 0;
     }
-    const auto found = runs ? verification::Found{} : found_parts(asked);
+    const auto found = runs ? verification::Found{} : found_parts(asked, chosen);
     if (!runs) asked.run.full = found.is_full;
     const io::ResultFolder folder(asked.output);
     folder.remove_older({"index.html"});

@@ -3,11 +3,12 @@
 # K.apart (numbers that are not compared). A reading is a comment behind a paragraph, a table or a block of
 # output:
 #
-#     <!-- read back [all] [but NUMBER ...: why]
+#     <!-- read back [all] [long] [but NUMBER ...: why]
 #     SCRIPT
 #     -->
 #
-# In a paragraph numbers of three digits and more count, with `all` each of them. To `folder`/total
+# In a paragraph numbers of three digits and more count, with `all` each of them. A long one is read
+# with --full. To `folder`/total
 # goes the count of numbers of three digits and more on the page, code apart, with or without a reading.
 
 function found(word, value, step) {
@@ -25,6 +26,7 @@ function begin_reading(options,    i, apart) {
   printf "" > (folder "/" readings ".numbers")
   printf "" > (folder "/" readings ".script")
   printf "" > (folder "/" readings ".apart")
+  if (options ~ /(^| )long( |$)/) print > (folder "/" readings ".long")
   apart = ""
   if (match(options, /but [^:]*/)) apart = substr(options, RSTART + 4, RLENGTH - 4)
   print apart > (folder "/" readings ".apart")

@@ -89,4 +89,11 @@ struct Study {
 /// The registry, in the order of the report.
 const std::vector<Study>& studies();
 
+/// Chapters of the full report that other programs leave, to be merged: those of `mutants`.
+inline const std::vector<Study>& studies_elsewhere() {
+  static const std::vector<Study> all = {
+      {"mutants", "How many one-line mistakes are noticed?", {{"", {}, {}}}}};
+  return all;
+}
+
 }  // namespace talus::verification

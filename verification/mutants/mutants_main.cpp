@@ -11,7 +11,7 @@
 #include "common/io/options.hpp"
 #include "common/io/result_folder.hpp"
 #include "common/io/shell.hpp"
-#include "verification/harness/html_report.hpp"
+#include "verification/harness/chapter_file.hpp"
 #include "verification/mutants/propose.hpp"
 #include "verification/mutants/verdicts.hpp"
 
@@ -51,21 +51,28 @@ std::vector<std::size_t> chosen(const std::vector<Mutant>& mutants, const std::s
   return numbers;
 }
 
+// A page of its own, and the chapter that `verify --merge` puts into the full report.
 void write_results(const io::ResultFolder& folder, const std::string& command,
-                   const io::Table& score, const std::vector<Mutant>& mutants,
+                   const std::vector<Score>& all_scores, const io::Table& score,
+                   const std::vector<Mutant>& mutants,
                    const std::vector<std::optional<Verdict>>& verdicts) {
   io::Table survivors = survivor_table(mutants, verdicts), each = mutant_table(mutants, verdicts);
   folder.write("mutants.csv", io::to_csv(each));
   survivors.title = "Survivors";
   each.title = "Every mutant";
-  verification::Chapter chapter{"mutants", "How many one-line mistakes are noticed?", {}, {}};
-  chapter.text("Mutants killed, by area; no share where some are still to be run.");
+  const verification::Study& study = verification::studies_elsewhere().front();
+  verification::Chapter chapter{study.name, study.question, {}, {}};
+  chapter.text("By `" + command +
+               "`: mutants killed, by area; no share where some are still to be run.");
+  chapter.check(verification::Kind::control, "share of the mutants that is noticed",
+                all_scores.back().share(), 0.95, 1);
   chapter.table(score);
   if (survivors.rows.empty())
     chapter.text("No survivors among those that were run.");
   else
     chapter.table(survivors);
   chapter.table(each);
+  verification::write_chapter_files(io::ResultFolder(folder.path() / study.name), chapter, true, 0);
   folder.write("index.html",
                verification::html_page(
                    "Mutants", command,
@@ -110,7 +117,7 @@ int run(const Options& options) {
   });
   const std::vector<Score> all_scores = scores(mutants, numbers, verdicts);
   const io::Table score = score_table(all_scores, campaign.pursuit);
-  write_results(folder, options.command(), score, mutants, verdicts);
+  write_results(folder, options.command(), all_scores, score, mutants, verdicts);
   io::print(std::cout, score);
   std::cout << "Open " << options.output << "/index.html\n";
   return all_scores.back().not_run == 0 ? 0 : 1;
