@@ -35,7 +35,7 @@ class Case {
   /// solve of a few ticks of the clock is repeated until they no longer matter; the mean counts.
   template <class Solve>
   auto timed(const Solve& solve) {
-    constexpr double many_ticks = 0.05;  // in seconds
+    constexpr double many_ticks = 0.02;  // in seconds
     std::optional<decltype(solve())> solution;
     const solve::Stopwatch all;
     int count = 0;
