@@ -208,4 +208,17 @@ BOOST_AUTO_TEST_CASE(every_error_of_the_summary_is_under_the_name_of_its_norm) {
   BOOST_TEST(values.size() >= expected.size() - 1);  // the largest may be that of a node
 }
 
+BOOST_AUTO_TEST_CASE(profiles_name_coordinate_and_velocity_as_the_scene_does) {
+  const auto header = [](const ShearScene& scene) {
+    return profile_table(scene, made_by_hand(scene, {.elements = 2}, 1, 0)).header;
+  };
+  const std::vector<std::string> rest{"shear_rate", "shear_rate_exact", "I",
+                                      "I_exact",    "stress",           "stress_exact"};
+  std::vector<std::string> chute{"y", "w", "w_exact"}, plane{"z", "u", "u_exact"};
+  chute.insert(chute.end(), rest.begin(), rest.end());
+  plane.insert(plane.end(), rest.begin(), rest.end());
+  BOOST_TEST(header(scene_of(Chute{})) == chute, boost::test_tools::per_element());
+  BOOST_TEST(header(scene_of(Bagnold{})) == plane, boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_SUITE_END()

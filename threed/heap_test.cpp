@@ -198,4 +198,14 @@ BOOST_AUTO_TEST_CASE(fields_are_what_their_names_say) {
   BOOST_TEST(all.at("unknowns") == solution.flow->space().size());
 }
 
+BOOST_AUTO_TEST_CASE(coarse_meshes_are_not_solved_further_than_a_start_needs) {
+  const Heap heap = heap_at(0.41);
+  const HeapMesh fine{1, {14, 20}};
+  const HeapSolution nested = threed::solve(heap, fine, {.start = Start::nested});
+  BOOST_TEST_REQUIRE(nested.meshes.size() >= 2u);
+  const MeshCost& start = nested.meshes.front();
+  const HeapSolution to_the_end = threed::solve(heap, start.mesh, {.start = Start::rest});
+  BOOST_TEST(start.factorisations < to_the_end.meshes.back().factorisations);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -193,4 +193,23 @@ BOOST_AUTO_TEST_CASE(columns_of_the_tables_hold_what_their_names_say) {
   BOOST_TEST(column(sweep, 0, "drag_coefficient_over_p_ext") == 10 / 0.09, tolerance(1e-14));
 }
 
+BOOST_AUTO_TEST_CASE(parameters_of_the_scene_are_under_their_names) {
+  Cylinder scene;
+  scene.mesh.around = 24;
+  scene.mesh.first_layer = 0.03;
+  scene.mesh.outlet = 11;
+  scene.lambda_r = 1e-4;
+  scene.pressure_floor = 0.02;
+  scene.inertia = false;
+  const nlohmann::json all = as_json(scene);
+  BOOST_TEST(all.at("around") == 24);
+  BOOST_TEST(all.at("first_layer") == 0.03);
+  BOOST_TEST(all.at("outlet") == 11);
+  BOOST_TEST(all.at("lambda_r") == 1e-4);
+  BOOST_TEST(all.at("pressure_floor") == 0.02);
+  BOOST_TEST(all.at("inertia") == false);
+  BOOST_TEST(all.at("regularises_pressure") == true);
+  BOOST_TEST(all.at("domain") == "half");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -195,4 +195,17 @@ BOOST_AUTO_TEST_CASE(help_says_what_every_option_takes_and_comes_before_what_fol
     BOOST_TEST(contains(captured.str(), text), text);
 }
 
+BOOST_AUTO_TEST_CASE(a_choice_is_taken_by_its_name_and_by_an_older_one) {
+  Sample sample;
+  BOOST_TEST(sample.run({"--method", "interior-point"}) == 0);
+  BOOST_TEST(sample.method == "interior-point");
+  CommandLine line{"a program", "program"};
+  std::string model = "section";
+  add_choice(line, "--model", model, "Model", {"section", "space"}, {{"3d", "space"}});
+  std::string words[] = {"program", "--model", "3d"};
+  char* argv[] = {words[0].data(), words[1].data(), words[2].data()};
+  BOOST_TEST(line.run(3, argv, [] { return 0; }) == 0);
+  BOOST_TEST(model == "space");
+}
+
 BOOST_AUTO_TEST_SUITE_END()
