@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(fields_are_what_their_names_say) {
 
 BOOST_AUTO_TEST_CASE(coarse_meshes_are_not_solved_further_than_a_start_needs) {
   const Heap heap = heap_at(0.41);
-  const HeapMesh fine{1, {14, 20}};
+  const HeapMesh fine{1, {18, 25}};
   const HeapSolution nested = threed::solve(heap, fine, {.start = Start::nested});
   BOOST_TEST_REQUIRE(nested.meshes.size() >= 2u);
   const MeshCost& start = nested.meshes.front();
