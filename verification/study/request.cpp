@@ -1,6 +1,7 @@
 #include "verification/study/request.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "common/io/options.hpp"
@@ -139,26 +140,41 @@ std::vector<std::string> words_of(const Options& options) {
 std::vector<Options> possible(const Program& program, const std::vector<Options>& combinations) {
   std::vector<Options> all;
   std::set<std::string> used;
-  std::string last_complaint;
+  std::set<std::pair<std::string, Options>> unused;  // a name, and the options beside it
+  std::map<std::string, std::string> complaints;     // about those that are not used
+  const auto without = [](Options options, const std::string& name) {
+    std::erase_if(options, [&](const auto& each) { return each.first == name; });
+    return options;
+  };
   for (Options options : combinations) {
     const bool is_told =
         std::ranges::any_of(options, [](const auto& each) { return each.first == threads.first; });
     if (program.option(threads.first) && !is_told) options.push_back(threads);
-    for (;;) {
+    while (std::ranges::find(all, options) == all.end()) {
+      // What an option that is not used would be does not matter.
+      const auto known = std::ranges::find_if(options, [&](const auto& each) {
+        return unused.contains({each.first, without(options, each.first)});
+      });
+      if (known != options.end()) {
+        options.erase(known);
+        continue;
+      }
       const process::Outcome outcome = ask(program, words_of(options), "--dry-run");
-      if (outcome.is_success()) break;
-      last_complaint = first_line(outcome.err);
-      const std::string unused = unused_option(last_complaint);
-      const auto found =
-          std::ranges::find_if(options, [&](const auto& each) { return each.first == unused; });
-      if (found == options.end()) throw io::UserError(last_complaint);
-      options.erase(found);
+      if (outcome.is_success()) {
+        for (const auto& [name, _] : options) used.insert(name);
+        all.push_back(options);
+        break;
+      }
+      const std::string complaint = first_line(outcome.err), name = unused_option(complaint);
+      const Options others = without(options, name);
+      if (others.size() == options.size()) throw io::UserError(complaint);
+      complaints[name] = complaint;
+      unused.insert({name, others});
+      options = others;
     }
-    for (const auto& [name, _] : options) used.insert(name);
-    if (std::ranges::find(all, options) == all.end()) all.push_back(std::move(options));
   }
   for (const auto& [name, _] : combinations.front())
-    if (!used.contains(name) && name != threads.first) throw io::UserError(last_complaint);
+    if (!used.contains(name) && name != threads.first) throw io::UserError(complaints[name]);
   return all;
 }
 
