@@ -114,9 +114,8 @@ for option in "--loading 0.02" "--tolerance 1e-8" "--route loading" "--max-point
 done
 check refuses --contination "did you mean --continuation?" -- "$cylinder" --contination natural
 check refuses "--loading: it is given twice" -- "$cylinder" --loading 0.01 --loading 0.02
-for tangent in primal-dual full; do
-  check succeeds cylinder "$cylinder" --around 16 --tangent $tangent --check-jacobian
-done
+# The sample runs ask the same of the other tangent.
+check succeeds cylinder "$cylinder" --around 16 --outlet 4 --tangent full --check-jacobian
 check refuses --method "'interior-point'" newton -- "$cylinder" --method interior-point
 check refuses --outflow "'foo'" open-viscous -- "$cylinder" --outflow foo
 check refuses --route "'foo'" lambda-r -- "$cylinder" --route foo
