@@ -60,12 +60,12 @@ write_page
 read_pages
 check expect_code 0
 check expect_text stdout "README.md" "0 failures"
-check test "$(awk '$1 == "all" { print $2, $3, $4 }' "$work/stdout")" = "4 10 0"
+check test "$(awk '$1 == "all" { print $2, $3, $4, $5 }' "$work/stdout")" = "4 0 10 0"
 
 # 2. One thing wrong at a time.
 for change in 's/3\.19.cdot/3.18\\cdot/' 's/-2\.5%/-2.4%/' 's/^1 2\.0$/1 2.1/' 's/1234 times/1235 times/' \
   's/5\.675\./5.676./' 's/| 1e-4 | 0.25/| 1e-4 | -0.25/' 's/tell 1 2.04/false/' 's/of 5.675/of none/' \
-  's/tell 1\.25/tell --fail/' 's/--fail  *#.*/--fail/' 's/tell 3\.5`/nothing`/'; do
+  's/tell 1\.25/tell --fail/' 's/--fail  *#.*/--fail/' 's/tell 3\.5`/nothing`/' 's/solve scene x/solve tell --fail; solve scene x/'; do
   write_page
   sed -i "$change" "$tree/README.md"
   read_pages
@@ -78,14 +78,14 @@ write_page
 sed -i 's/tell 1 2.04/tell 1 2.04 1.1 2.14 2.1 1.9/' "$tree/README.md"
 read_pages
 check expect_code 0
-check test "$(awk '$1 == "all" { print $4 }' "$work/stdout")" = 1
+check test "$(awk '$1 == "all" { print $5 }' "$work/stdout")" = 1
 
 # 4. A reading that does not end, pages and options that are not there.
 write_page
 sed -i '$d' "$tree/README.md"
 read_pages
 check expect_code 2
-for wrong in "--only nowhere" "--only" "--other"; do
+for wrong in "--only nowhere" "--only" "--only=" "--other"; do
   # shellcheck disable=SC2086
   read_pages $wrong
   check expect_code 2

@@ -6,11 +6,11 @@ set -u
 root=$1 programs=$2
 shift 2
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-only= list=no full=no
+only= asks_for_pages=no list=no full=no
 while [ $# -gt 0 ]; do
   case "$1" in
     --only) [ $# -ge 2 ] || { echo "docs: --only: its value is missing" >&2; exit 2; }
-            only=$2; shift ;;
+            only=$2 asks_for_pages=yes; shift ;;
     --list) list=yes ;;
     --full) full=yes ;;
     -h | --help)
@@ -25,6 +25,7 @@ while [ $# -gt 0 ]; do
   shift
 done
 mapfile -t pages < <(cd "$root" && find README.md docs -name '*.md' | LC_ALL=C sort | grep -F -- "$only")
+[ -n "$only" ] || [ $asks_for_pages = no ] || pages=()
 [ ${#pages[@]} -gt 0 ] || { echo "docs: --only: '$only' is in no path of README.md and docs/" >&2; exit 2; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -34,11 +35,15 @@ export work root here PATH
 
 # What scripts of readings can call. The folder they run in is that of their page.
 
+note_refusal() {  # CODE COMMAND OUTPUT: a solve may fail (1), a command line may not be wrong
+  [ "$1" -le 1 ] || echo "'$2' exits with $1: $(tail -n 1 "$3")" >>"$work/refused"
+}
 solve() {  # PROGRAM ARGUMENT...: once for all readings; what it printed is printed, `get` and `columns` read its files
   solved=$work/solved/$(printf '%s\n' "$@" | cksum | tr ' ' _)
   if [ ! -d "$solved" ]; then
     mkdir -p "$solved"
     "$@" --output "$solved" >"$solved.out" 2>&1
+    note_refusal $? "$*" "$solved.out"
   fi
   cat "$solved.out"
 }
@@ -59,7 +64,8 @@ columns() {  # FILE NAME...: these columns of a table of the last solve
 }
 part() {  # STUDY/PART [--full]: made once; its tables and checks are the files of folder $tables
   local folder=$work/parts/${1//\//_}${2:-}
-  [ -d "$folder" ] || { mkdir -p "$folder"; verify "$@" --output "$folder" >"$folder.out" 2>&1; }
+  [ -d "$folder" ] || { mkdir -p "$folder"; verify "$@" --output "$folder" >"$folder.out" 2>&1
+                         note_refusal $? "verify $*" "$folder.out"; }
   tables=$(echo "$folder"/*/)
 }
 held() {  # STUDY/PART TEXT: how many checks that have this text in them hold; none if one does not
@@ -95,7 +101,7 @@ task() {  # EXERCISE N: what the code of its task N prints; the tasks before it 
   fi
   cat "$tasks/$2.out"
 }
-export -f solve get columns part held task
+export -f note_refusal solve get columns part held task
 
 failures=0
 tell_failure() { echo "  $1"; failures=$((failures + 1)); }
@@ -103,9 +109,10 @@ tell_failure() { echo "  $1"; failures=$((failures + 1)); }
 read_back() {  # PAGE READING: adds to read, loose
   local page=$1 at=$work/page/$2 line printed
   line=$(cat "$at.line")
+  rm -f "$work/refused"
   (cd "$work/page" && bash "$at.script") >"$at.out" 2>"$at.err" </dev/null
-  printed=$(awk -f "$here/numbers.awk" -f "$here/compare.awk" -v apart="$(cat "$at.apart")" \
-    "$at.numbers" "$at.out")
+  [ ! -f "$work/refused" ] || tell_failure "$page:$line: $(head -n 1 "$work/refused")"
+  printed=$(awk -f "$here/numbers.awk" -f "$here/compare.awk" "$at.numbers" "$at.out")
   case "$printed" in
     wrong*) set -- $printed
             tell_failure "$page:$2: $3 is not what its commands print (comment of line $line)"
@@ -138,11 +145,12 @@ is_for_another_day() {  # COMMAND, as commands.awk tells it
     [[ $words == build* || $words == mutants* || $words == verify*--full* || $words == docs* ]]
 }
 
-printf '%-38s %8s %9s %6s %9s\n' page numbers "read back" loose commands
-all_numbers=0 all_read=0 all_loose=0
+row='%-44s %8s %9s %9s %6s %9s\n'
+printf "$row" page numbers "left out" "read back" loose commands
+all_numbers=0 all_left=0 all_read=0 all_loose=0
 for page in "${pages[@]}"; do
   numbers_of "$page"
-  readings=$(cat "$work/page/readings") total=$(cat "$work/page/total") read=0 loose=0
+  readings=$(cat "$work/page/readings") total=$(cat "$work/page/total") left=$(cat "$work/page/left") read=0 loose=0
   mapfile -t commands < <(awk -f "$here/commands.awk" "$root/$page")
   tried=0
   for command in "${commands[@]}"; do
@@ -159,10 +167,12 @@ for page in "${pages[@]}"; do
       read_back "$page" $reading
     fi
   done
-  printf '%-38s %8d %9d %6s %9d\n' "$page" "$total" $read $loose $tried
-  all_numbers=$((all_numbers + total)) all_read=$((all_read + read)) all_loose=$((all_loose + loose))
+  printf "$row" "$page" "$total" "$left" $read $loose $tried
+  all_numbers=$((all_numbers + total)) all_left=$((all_left + left)) all_read=$((all_read + read)) all_loose=$((all_loose + loose))
 done
-printf '%-38s %8d %9d %6s\n' all $all_numbers $all_read $all_loose
+printf "$row" all $all_numbers $all_left $all_read $all_loose ""
 [ $list = yes ] && exit 0
-echo "loose: another last digit would not be noticed; $failures failures"
+echo "numbers: of three digits and more, outside of output; left out: without a reading, or named in it as"
+echo "not compared; read back: all that were compared; loose: another last digit would not be noticed"
+echo "$failures failures"
 [ $failures -eq 0 ]

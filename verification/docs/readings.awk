@@ -1,35 +1,39 @@
 # Reads a page and writes to `folder`, for each reading K of it: K.line (where it is), K.script
-# (what makes its numbers), K.numbers (a line each: line of the page, number as printed, step) and
-# K.apart (numbers that are not compared). A reading is a comment behind a paragraph, a table or a block of
-# output:
+# (what makes its numbers) and K.numbers (a line each: line of the page, number as printed, step). A
+# reading is a comment behind a paragraph, a table or a block of output:
 #
 #     <!-- read back [all] [long] [but NUMBER ...: why]
 #     SCRIPT
 #     -->
 #
-# In a paragraph numbers of three digits and more count, with `all` each of them. A long one is read
-# with --full. To `folder`/total
-# goes the count of numbers of three digits and more on the page, code apart, with or without a reading.
+# In a paragraph numbers of three digits and more count, with `all` each of them; those behind `but` are
+# not compared. A long one is read with --full. To `folder`/total goes the count of numbers of three
+# digits and more on the page, output and code apart, to `folder`/left that of those in no reading.
 
 function found(word, value, step) {
   if (counting) total += digits_of(word) >= 3
-  else if (every || digits_of(word) >= 3) print current, word, step > (folder "/" readings ".numbers")
+  else if (word in is_apart) return
+  else if (every || digits_of(word) >= 3) {
+    covered += kind != "output" && digits_of(word) >= 3
+    print current, word, step > (folder "/" readings ".numbers")
+  }
 }
 
 function forget() { lines = 0; kind = "" }
 
 function keep(text) { block[++lines] = text; place[lines] = FNR }
 
-function begin_reading(options,    i, apart) {
+function begin_reading(options,    i, apart, words, count) {
   ++readings
   print FNR > (folder "/" readings ".line")
   printf "" > (folder "/" readings ".numbers")
   printf "" > (folder "/" readings ".script")
-  printf "" > (folder "/" readings ".apart")
   if (options ~ /(^| )long( |$)/) print > (folder "/" readings ".long")
   apart = ""
   if (match(options, /but [^:]*/)) apart = substr(options, RSTART + 4, RLENGTH - 4)
-  print apart > (folder "/" readings ".apart")
+  split("", is_apart)
+  count = split(apart, words, " ")
+  for (i = 1; i <= count; ++i) is_apart[words[i]] = 1
   every = kind != "text" || options ~ /(^| )all( |$)/
   for (i = 1; i <= lines; ++i) {
     if (kind == "table" && i <= 2) continue
@@ -66,5 +70,6 @@ in_code { keep($0); next }
 END {
   if (in_script) { print FILENAME ": a reading that does not end" > "/dev/stderr"; exit 2 }
   print total + 0 > (folder "/total")
+  print total - covered > (folder "/left")
   print readings + 0 > (folder "/readings")
 }
