@@ -62,8 +62,7 @@ void write_results(const io::ResultFolder& folder, const std::string& command,
   each.title = "Every mutant";
   const verification::Study& study = verification::studies_elsewhere().front();
   verification::Chapter chapter{study.name, study.question, {}, {}};
-  chapter.text("By `" + command +
-               "`: mutants killed, by area; no share where some are still to be run.");
+  chapter.text("Mutants killed, by area; no share where some are still to be run. " + command);
   chapter.check(verification::Kind::control, "share of the mutants that is noticed",
                 all_scores.back().share(), 0.95, 1);
   chapter.table(score);

@@ -166,14 +166,14 @@ std::vector<Score> scores(const std::vector<Mutant>& mutants,
 }
 
 io::Table score_table(const std::vector<Score>& scores, Pursuit pursuit) {
-  io::Table table{"", {"area", "mutants", "equivalent", "not run", "killed", "share"}, {}};
+  io::Table table{"", {"area", "mutants", "killed", "share", "equivalent", "not run"}, {}};
   const bool has_studies = pursuit != Pursuit::first_kill;
   if (has_studies) table.header.emplace_back("by studies");
   for (const Score& score : scores) {
     table.rows.push_back(
-        {score.area, std::to_string(score.mutants), std::to_string(score.equivalent),
-         std::to_string(score.not_run), std::to_string(score.killed),
-         std::isnan(score.share()) ? "-" : io::fixed(100 * score.share(), 1) + " %"});
+        {score.area, std::to_string(score.mutants), std::to_string(score.killed),
+         std::isnan(score.share()) ? "-" : io::fixed(100 * score.share(), 1) + " %",
+         std::to_string(score.equivalent), std::to_string(score.not_run)});
     if (has_studies) table.rows.back().push_back(std::to_string(score.killed_by_studies));
   }
   return table;
@@ -181,7 +181,7 @@ io::Table score_table(const std::vector<Score>& scores, Pursuit pursuit) {
 
 io::Table survivor_table(const std::vector<Mutant>& mutants,
                          const std::vector<std::optional<Verdict>>& verdicts) {
-  io::Table table{"", {"mutant", "what it stands for", "file", "verifiers that came by it"}, {}};
+  io::Table table{"", {"mutant", "what it stands for", "file", "verifiers tried"}, {}};
   for (std::size_t i = 0; i < mutants.size(); ++i)
     if (verdicts[i] && verdicts[i]->is_killed() == mutants[i].is_equivalent())
       table.rows.push_back({mutants[i].name, mutants[i].what, mutants[i].file.string(),
