@@ -21,10 +21,11 @@ write_page() {  # the only page: a paragraph, a table, what a command prints, a 
     ./run tell --fail     # exits with 2
     ./run tell --thing VALUE
 
-With `./run tell 3.5` the drag is $3.19\cdot10^{-4}$ to 12.5, 1234 times, on 16x20 elements.
+With `./run tell 3.5` the drag is $3.19\cdot10^{-4}$ to 12.5, 1234 times, with `--more
+777` on 16x20 elements, 555 of them.
 
 <!-- read back
-tell 3.1901e-4 12.52 16x99 "(1234)"
+tell 3.1901e-4 12.52 16x99 "(1234)" 555
 -->
 
 | load | drag | time |
@@ -60,10 +61,10 @@ write_page
 read_pages
 check expect_code 0
 check expect_text stdout "README.md" "0 failures"
-check test "$(awk '$1 == "all" { print $2, $3, $4, $5 }' "$work/stdout")" = "4 0 10 0"
+check test "$(awk '$1 == "all" { print $2, $3, $4, $5 }' "$work/stdout")" = "5 0 11 0"
 
 # 2. One thing wrong at a time.
-for change in 's/3\.19.cdot/3.18\\cdot/' 's/-2\.5%/-2.4%/' 's/^1 2\.0$/1 2.1/' 's/1234 times/1235 times/' \
+for change in 's/3\.19.cdot/3.18\\cdot/' 's/-2\.5%/-2.4%/' 's/^1 2\.0$/1 2.1/' 's/1234 times/1235 times/' 's/555 of/556 of/' \
   's/5\.675\./5.676./' 's/| 1e-4 | 0.25/| 1e-4 | -0.25/' 's/tell 1 2.04/false/' 's/of 5.675/of none/' \
   's/tell 1\.25/tell --fail/' 's/--fail  *#.*/--fail/' 's/tell 3\.5`/nothing`/' 's/solve scene x/solve tell --fail; solve scene x/'; do
   write_page

@@ -19,7 +19,14 @@ function found(word, value, step) {
   }
 }
 
-function forget() { lines = 0; kind = "" }
+function forget() { lines = 0; kind = ""; is_open = 0 }
+
+# What is quoted may go on in the next line.
+function with_quotes_closed(text) {
+  if (is_open) text = "`" text
+  is_open = gsub(/`/, "`", text) % 2
+  return text
+}
 
 function keep(text) { block[++lines] = text; place[lines] = FNR }
 
@@ -35,10 +42,11 @@ function begin_reading(options,    i, apart, words, count) {
   count = split(apart, words, " ")
   for (i = 1; i <= count; ++i) is_apart[words[i]] = 1
   every = kind != "text" || options ~ /(^| )all( |$)/
+  is_open = 0
   for (i = 1; i <= lines; ++i) {
     if (kind == "table" && i <= 2) continue
     current = place[i]
-    scan_numbers(kind == "output" ? block[i] : plain(block[i]))
+    scan_numbers(kind == "output" ? block[i] : plain(with_quotes_closed(block[i])))
   }
 }
 
@@ -64,7 +72,7 @@ in_code { keep($0); next }
   kind = new_kind
   keep($0)
   counting = 1
-  if (!/^    [^ ]/ && !/^ *\|[-| ]*$/) scan_numbers(plain($0))
+  if (!/^    [^ ]/ && !/^ *\|[-| ]*$/) scan_numbers(plain(with_quotes_closed($0)))
   counting = 0
 }
 END {
