@@ -13,6 +13,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "common/io/processor.hpp"
 #include "common/io/result_folder.hpp"
 #include "common/io/table.hpp"
 
@@ -210,6 +211,7 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 }
 
 int CommandLine::run(int argc, char** argv, const std::function<int()>& body) {
+  require_processor();
   hold_standard_streams();
   const auto complain = [&](const std::string& message, int code) {
     std::cerr << app_->get_name() << ": " << in_one_line(message) << '\n';
