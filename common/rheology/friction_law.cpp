@@ -16,14 +16,18 @@ double FrictionLaw::inertial_number(double shear_rate, double pressure) const {
 
 // Written as Δμ I/(I0 + I): the same as eq. (4), and defined at I = 0.
 double FrictionLaw::friction(double inertial_number) const {
+  // course 1: friction law
   if (std::isinf(inertial_number)) return mu_2();
   return mu_s + delta_mu * inertial_number / (I0 + inertial_number);
+  // end of course 1
 }
 
 double FrictionLaw::inertial_number_at(double friction) const {
+  // course 2: its inverse
   const double excess = friction - mu_s, margin = mu_2() - friction;
   if (excess <= 0) return 0;
   return margin > 0 ? I0 * excess / margin : std::numeric_limits<double>::infinity();
+  // end of course 2
 }
 
 double FrictionLaw::inertial_number_integral(double friction) const {

@@ -37,11 +37,13 @@ Viscosity Simple::evaluate(const FrictionLaw& law, double lambda_r, double shear
 Viscosity BercovierEngelman::evaluate(const FrictionLaw& law, double lambda_r, double shear_rate,
                                       double pressure) {
   Viscosity v = simple_viscous_part(law, lambda_r, shear_rate, pressure);
+  // course 3: regularisation
   const double square = shear_rate * shear_rate + lambda_r * lambda_r;
   const double yield = law.mu_s / std::sqrt(square);
   v.eta += yield * pressure;
   v.d_eta_d_shear_rate -= yield * pressure * shear_rate / square;
   v.d_eta_d_pressure += yield;
+  // end of course 3
   return v;
 }
 
@@ -73,10 +75,12 @@ Viscosity ChauchatMedale::evaluate(const FrictionLaw& law, double lambda_r, doub
   const double root = std::sqrt(square);
   // width = 0 only where |γ| and p vanish together; friction is then μs.
   const double ratio = width > 0 ? shear_rate / width : 0;
+  // course 4: its derivatives
   const double slope = width > 0 ? law.delta_mu * c / (width * width * root) : 0;  // A, eq. (15)
   const double eta_over_p = (law.mu_s + law.delta_mu * ratio) / root;
   return {eta_over_p * pressure, pressure * (slope - eta_over_p * shear_rate / square),
           eta_over_p - 0.5 * slope * shear_rate};
+  // end of course 4
 }
 
 const std::vector<Regularisation>& regularisations() {

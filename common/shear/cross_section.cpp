@@ -55,11 +55,13 @@ template <int Dim>
 Eigen::VectorXd CrossSection<Dim>::internal_force(std::span<const Vector> stress) const {
   Eigen::VectorXd force = Eigen::VectorXd::Zero(node_count());
   for (std::size_t e = 0; e < element_count(); ++e) {
+    // course 7: element residual
     NodalValues local = NodalValues::Zero();
     for (const std::size_t k : points_of(e))
       local.noalias() += points_[k].weight * (points_[k].gradients.transpose() * stress[k]);
     for (int a = 0; a < nodes_per_element; ++a)
       force[mesh_.elements[e][static_cast<std::size_t>(a)]] += local[a];
+    // end of course 7
   }
   clear_fixed(force);
   return force;
@@ -85,19 +87,23 @@ void CrossSection<Dim>::assemble(std::span<const Tangent> tangents) {
   for (std::size_t e = 0; e < element_count(); ++e) {
     Eigen::Matrix<double, n, n> matrix = Eigen::Matrix<double, n, n>::Zero();
     for (const std::size_t k : points_of(e)) {
+      // course 9: element tangent
       const auto& gradients = points_[k].gradients;
       // Products of this size are faster written out than through Eigen's blocked kernel.
       const Eigen::Matrix<double, Dim, n> flux = (points_[k].weight * tangents[k]) * gradients;
       matrix.noalias() += gradients.transpose().lazyProduct(flux);
+      // end of course 9
     }
+    Eigen::Matrix<double, n - 1, n - 1> condensed;
+    // course 10: condensation
     interior_pivots_[e] = matrix(interior, interior);
     interior_rows_[e] = matrix.col(interior) / interior_pivots_[e];
-    Eigen::Matrix<double, n - 1, n - 1> condensed;
     for (int a = 0; a < n - 1; ++a)
       for (int b = 0; b < n - 1; ++b) {
         const int i = a < interior ? a : a + 1, j = b < interior ? b : b + 1;
         condensed(a, b) = matrix(i, j) - matrix(i, interior) * interior_rows_[e][j];
       }
+    // end of course 10
     skeleton_.add(e, condensed);
   }
   is_factored_ = skeleton_.factor();

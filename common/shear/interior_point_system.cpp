@@ -115,9 +115,11 @@ bool InteriorPointSystem<Dim>::newton_step(const ConeResidual<Dim>& residual,
   step.stress.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
     const Eliminated& point = eliminated_[k];
+    // course 15: interior-point step
     step.bound[k] = (point.alpha.dot(step.gradient[k]) + constant[k]) / point.pivot;
     step.dual_bound[k] = point.slope * step.bound[k] + residual.law[k];
     step.stress[k] = point.tangent * step.gradient[k] + stress_part[k];
+    // end of course 15
   }
   return true;
 }

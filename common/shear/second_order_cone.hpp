@@ -11,6 +11,7 @@ namespace talus::shear {
 /// boundary.
 template <class Vector>
 double step_to_cone(double s, const Vector& v, double ds, const Vector& dv) {
+  // course 14: step to the cone
   const double norm = v.norm();
   const double c = (s - norm) * (s + norm);
   const double b = s * ds - v.dot(dv);
@@ -20,6 +21,7 @@ double step_to_cone(double s, const Vector& v, double ds, const Vector& dv) {
   if (discriminant < 0) return std::numeric_limits<double>::infinity();
   const double denominator = -b + std::sqrt(discriminant);
   return denominator > 0 ? c / denominator : std::numeric_limits<double>::infinity();
+  // end of course 14
 }
 
 }  // namespace talus::shear

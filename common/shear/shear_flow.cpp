@@ -47,14 +47,16 @@ auto ShearFlow<Dim>::tangent(const rheology::Viscosity& v, const Vector& g,
   const double factor = tangent_term_ == TangentTerm::frozen       ? 0
                         : tangent_term_ == TangentTerm::wrong_sign ? -slope_factor_
                                                                    : slope_factor_;
-  const double slope = factor * v.d_eta_d_shear_rate / shear_rate;
-  if (!carried) return isotropic + slope * (g * g.transpose());
+  const double slope = factor * v.d_eta_d_shear_rate;
+  // course 8: point tangent
+  if (!carried) return isotropic + slope / shear_rate * (g * g.transpose());
+  // end of course 8
   // τ is cut to where the tangent stays positive definite, |τ| < σ/(1 - x), σ = η|g|,
   // x = d ln σ/d ln|g|: at σ(1 + x/2).
   const double stress = v.eta * shear_rate, size = carried->norm();
   const double x = 1 + v.d_eta_d_shear_rate * shear_rate / v.eta, limit = stress * (1 + 0.5 * x);
   const Vector strain = *carried * ((size > limit ? limit / size : 1) / v.eta);
-  return isotropic + 0.5 * slope * (g * strain.transpose() + strain * g.transpose());
+  return isotropic + 0.5 * slope / shear_rate * (g * strain.transpose() + strain * g.transpose());
 }
 
 template <int Dim>

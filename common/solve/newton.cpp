@@ -14,6 +14,7 @@ LineSearchResult search_energy_slope(double initial_slope,
   double slope_high = slope(high);
   if (slope_high <= overshoot * -initial_slope) return {1, 1};
   for (int evaluations = 2; evaluations <= max_evaluations; ++evaluations) {
+    // course 11: line search
     // A step that left the range of numbers is halved; otherwise false position, kept inside.
     double step = 0.5 * (low + high);
     if (std::isfinite(slope_high)) {
@@ -33,6 +34,7 @@ LineSearchResult search_energy_slope(double initial_slope,
       slope_high = s;
       slope_low *= 0.5;
     }
+    // end of course 11
   }
   return {};
 }

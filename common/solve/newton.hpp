@@ -157,7 +157,9 @@ NewtonSummary newton(P& problem, typename P::State& state, const NewtonOptions& 
         summary.iterations() >= options.max_iterations)
       return ended(End::stagnated);
 
+    // course 12: Newton
     if (!problem.linear_solve(-residual->value, direction)) return ended(End::linear_solver_failed);
+    // end of course 12
     const double size = residual->leading_size(direction.value());
     if (is_small && remaining.bound_before(size) <= near) return ended(success);
     // Rounding is all that is left of the steps: a success as long as it is little.
@@ -166,10 +168,12 @@ NewtonSummary newton(P& problem, typename P::State& state, const NewtonOptions& 
     if (residual->is_round_off() && remaining.has_stopped_contracting(size))
       return ended(is_trusted ? End::at_round_off_floor : End::stagnated);
     typename P::State trial = state;
-    const auto slope_at = [&](double step) {
+    const auto slope_at = [&](double step) -> double {
+      // course 12: Newton
       trial = state.moved(step, direction);
       residual = &problem.evaluate(trial);
       return residual->value.dot(direction.value());
+      // end of course 12
     };
     LineSearchResult found{1, 1};
     bool is_lost = residual->relative_norm() <= residual->relative_round_off();

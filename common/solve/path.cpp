@@ -32,6 +32,7 @@ double next_step(double step, int corrections, const PathOptions& options) {
 std::optional<double> fold_between(const PathPoint& before, const PathPoint& after) {
   // σ is measured along the tangent before, so at the other end dσ is the cosine times the length.
   const double rise = after.parameter - before.parameter;
+  // course 16: fold
   const double first = before.parameter_slope * after.step;
   const double last = after.parameter_slope * after.step / after.cosine;
   if (!(after.cosine > 0) || first * last >= 0) return std::nullopt;
@@ -41,6 +42,7 @@ std::optional<double> fold_between(const PathPoint& before, const PathPoint& aft
   const double root = first / q;
   const double tau = root >= 0 && root <= 1 ? root : q / a;
   return before.parameter + tau * (first + tau * (b / 2 + tau * a / 3));
+  // end of course 16
 }
 
 std::vector<double> fold_parameters(std::span<const PathPoint> points) {

@@ -12,6 +12,7 @@ namespace talus::verification {
 
 double fitted_order(const std::vector<double>& x, const std::vector<double>& y) {
   if (x.size() < 2) return std::numeric_limits<double>::quiet_NaN();
+  // course 13: order of convergence
   std::vector<double> log_x, log_y;
   for (std::size_t i = 0; i < x.size(); ++i) {
     log_x.push_back(std::log(x[i]));
@@ -21,6 +22,7 @@ double fitted_order(const std::vector<double>& x, const std::vector<double>& y) 
   gsl_fit_linear(log_x.data(), 1, log_y.data(), 1, x.size(), &intercept, &slope, &c00, &c01, &c11,
                  &sum);
   return slope;
+  // end of course 13
 }
 
 void Range::add(double value) {
