@@ -5,12 +5,12 @@
 #include <cstdlib>
 #include <vector>
 
-#include <SuiteSparse_config.h>
 #include <malloc.h>
 #include <omp.h>
 #include <sys/mman.h>
 
 #include "common/solve/memory.hpp"
+#include "common/solve/sparse_allocator.hpp"
 
 // Of OpenBLAS; null with any other BLAS.
 extern "C" __attribute__((weak)) void openblas_set_num_threads(int);
@@ -76,9 +76,8 @@ void prepare_sparse_libraries() {
   omp_set_max_active_levels(0);
   if (openblas_set_num_threads) openblas_set_num_threads(1);
   let_blas_have_its_buffer();
-  SuiteSparse_config.malloc_func = allocate;
-  SuiteSparse_config.realloc_func = reallocate;
-  SuiteSparse_config.printf_func = nullptr;
+  set_sparse_allocator(allocate, std::calloc, reallocate);
+  silence_sparse_libraries();
 }
 
 }  // namespace talus::solve

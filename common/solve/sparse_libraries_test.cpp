@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <Eigen/CholmodSupport>
-#include <SuiteSparse_config.h>
 #include <boost/test/unit_test.hpp>
 #include <omp.h>
 #include <unistd.h>

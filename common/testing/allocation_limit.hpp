@@ -3,8 +3,7 @@
 
 #include <cstdlib>
 
-#include <SuiteSparse_config.h>
-
+#include "common/solve/sparse_allocator.hpp"
 #include "common/solve/sparse_libraries.hpp"
 
 namespace talus::testing {
@@ -15,20 +14,16 @@ class AllocationLimit {
  public:
   explicit AllocationLimit(std::size_t bytes) {
     limit() = bytes;
-    SuiteSparse_config.malloc_func = [](std::size_t size) {
-      return size > limit() ? nullptr : std::malloc(size);
-    };
-    SuiteSparse_config.calloc_func = [](std::size_t count, std::size_t size) {
-      return count * size > limit() ? nullptr : std::calloc(count, size);
-    };
-    SuiteSparse_config.realloc_func = [](void* block, std::size_t size) {
-      return size > limit() ? nullptr : std::realloc(block, size);
-    };
+    solve::set_sparse_allocator(
+        [](std::size_t size) -> void* { return size > limit() ? nullptr : std::malloc(size); },
+        [](std::size_t count, std::size_t size) -> void* {
+          return count * size > limit() ? nullptr : std::calloc(count, size);
+        },
+        [](void* block, std::size_t size) -> void* {
+          return size > limit() ? nullptr : std::realloc(block, size);
+        });
   }
-  ~AllocationLimit() {
-    SuiteSparse_config.calloc_func = std::calloc;
-    solve::prepare_sparse_libraries();
-  }
+  ~AllocationLimit() { solve::prepare_sparse_libraries(); }
   AllocationLimit(const AllocationLimit&) = delete;
   AllocationLimit& operator=(const AllocationLimit&) = delete;
 
