@@ -85,24 +85,22 @@ io::Table profile_table(const ShearScene& scene, const Solution& solution) {
 io::Figure profile_figure(const ShearScene& scene,
                           const std::vector<std::pair<std::string, const Solution*>>& solutions) {
   struct Quantity {
-    std::string title, label, key;
+    std::string title, label;
     std::size_t column;  // of the computed values in the profile table; the exact ones follow
     bool is_error;
   };
   const std::string rate = "|d" + scene.velocity + "/d" + scene.coordinate + "|";
   const std::vector<Quantity> quantities = {
-      {"velocity", scene.velocity + " / sqrt(gd)", "center center", 1, false},
-      {"shear rate", rate + " / sqrt(g/d)", "center center", 3, false},
-      {"inertial number", "I", "center center", 5, false},
-      {"shear stress", "τ / φρgd", "top center", 7, false},
-      {"error of the velocity", "|error| / sqrt(gd)", "bottom left", 1, true},
-      {"error of the shear rate", "|error| / sqrt(g/d)", "bottom left", 3, true}};
+      {"velocity", scene.velocity + " / sqrt(gd)", 1, false},
+      {"shear rate", rate + " / sqrt(g/d)", 3, false},
+      {"inertial number", "I", 5, false},
+      {"shear stress", "τ / φρgd", 7, false},
+      {"error of the velocity", "|error| / sqrt(gd)", 1, true},
+      {"error of the shear rate", "|error| / sqrt(g/d)", 3, true}};
   io::Figure figure{"profile", scene.title + " against the exact profiles", {}, 3};
   for (const Quantity& quantity : quantities) {
-    io::Panel panel{quantity.title,    scene.coordinate + " / d",
-                    quantity.label,    false,
-                    quantity.is_error, {},
-                    std::nullopt,      quantity.key};
+    io::Panel panel{quantity.title, scene.coordinate + " / d", quantity.label,
+                    false,          quantity.is_error,         {}};
     io::Curve exact{"exact", {}, {}, io::Style::line};
     for (const auto& [label, solution] : solutions) {
       io::Curve computed{label, {}, {}, io::Style::points};

@@ -132,6 +132,7 @@ check expect_code 1
 check leaves heap summary.json interior_point.csv
 check expect_text run/results/heap/summary.json '"results": {}' stagnated
 run "$heap" --model space --elements 1x3x4 --plot
+! command -v gnuplot >/dev/null || check has_file heap_fields.png
 with_gnuplot 'exit 1' "$heap" --elements 7x10 --plot
 check expect_code 0
 check expect_text stdout "(no section.png: gnuplot failed)"

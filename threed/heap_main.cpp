@@ -109,15 +109,39 @@ std::vector<std::string> files() {
                                     "interior_point.csv"};
   for (const char* model : {"section", "heap"}) {
     names.push_back(std::string(model) + ".vtu");
-    for (const std::string& file : io::files_of(model)) names.push_back(file);
+    for (const char* figure : {"", "_fields"})
+      for (const std::string& file : io::files_of(std::string(model) + figure))
+        names.push_back(file);
   }
   return names;
+}
+
+// What was solved, in a line.
+std::string title_of(const Options& options, const twod::SectionSolution& solution) {
+  const bool has_law = solution.is_of_newton();
+  return "heap, " +
+         (options.is_space() ? "space, " + options.elements : "section, " + options.elements) +
+         ", α = " + io::rounded(solution.section.angle) + ", " +
+         (has_law ? options.method.regularisation + ", λr = " + io::rounded(options.method.lambda_r)
+                  : "interior point, no λr");
+}
+
+std::vector<io::Figure> figures_of(const Options& options, const Found& found) {
+  const auto& [space, section, heap] = found;
+  const twod::SectionSolution& solution = found.solution();
+  const std::string title = title_of(options, solution);
+  if (heap) return {threed::figure(*heap, *space), threed::picture(*heap, title, options.picture)};
+  rheology::Rheology rheology(options.section.law, program::limiting_law(options.method),
+                              options.method.lambda_r);
+  rheology.regularises_pressure = solution.is_of_newton();
+  return {twod::figure(solution, *space),
+          twod::picture(solution, *space, rheology, title, options.picture)};
 }
 
 // The summary last: where it is, the others are. Of a failed solve it says how it went, and there
 // is no flow to show.
 void write_files(const io::ResultFolder& folder, const Found& found, const nlohmann::json& results,
-                 bool plot) {
+                 const Options& options) {
   const auto& heap = found.heap;
   const shear::CrossSection<2>& space = *found.space;
   const twod::SectionSolution& solution = found.solution();
@@ -130,9 +154,7 @@ void write_files(const io::ResultFolder& folder, const Found& found, const nlohm
     folder.write(fields,
                  heap ? io::to_vtu(threed::grid(*heap)) : io::to_vtu(twod::grid(solution, space)));
     written += " surface.csv " + fields;
-    if (plot)
-      written +=
-          io::draw(folder, {heap ? threed::figure(*heap, space) : twod::figure(solution, space)});
+    if (options.plot) written += io::draw(folder, figures_of(options, found));
   }
   folder.write("summary.json", results.dump(2) + "\n");
   if (!folder.is_nowhere())
@@ -197,7 +219,7 @@ int run(const io::CommandLine& line, Options& options, scene::Case& a_case) {
     threed::add_comparison(results, *found.heap, *found.section);
   a_case.complete(results);
   print(found, results);
-  write_files(folder, found, results, options.plot);
+  write_files(folder, found, results, options);
   a_case.write(results);
   if (solve::is_success(solution.end)) return 0;
   std::cerr << "heap: " << solve::name_of(solution.end) << ": " << advice_for(options, solution.end)

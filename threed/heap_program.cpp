@@ -110,7 +110,8 @@ void add_options(io::CommandLine& line, ProgramOptions& options) {
   program::add_threads(line, options.threads);
   io::add_text(line, "--output", options.output, "Folder for the results");
   io::add_flag(line, "--plot", options.plot,
-               "Draw the profiles (data, gnuplot script, SVG and PNG)");
+               "Draw profiles and fields (data, gnuplot script, SVG and PNG)");
+  program::add_pictures(line, options.picture);
   io::add_flag(line, "--check-jacobian", options.check_jacobian,
                "Only compare the tangent with differences of the residual (take few elements)");
 }
@@ -123,6 +124,7 @@ void interpret(const io::CommandLine& line, ProgramOptions& options) {
     if (!line.is_given("--line-search")) options.method.line_search = "residual-norm";
   }
   io::refuse_unused(line, used_options(options));
+  program::check_pictures(line, options.picture, options.plot);
   read_elements(line, options);
   const auto& section = options.mesh.section;
   program::check_grading("--grading-to-wall", section.grading_to_wall, section.across);

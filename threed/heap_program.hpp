@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/io/options.hpp"
+#include "common/program/flow_picture.hpp"
 #include "common/program/method_options.hpp"
 #include "common/program/penalty_options.hpp"
 #include "threed/heap_solve.hpp"
@@ -18,6 +19,7 @@ struct ProgramOptions {
   HeapMesh mesh;
   program::MethodOptions method;
   program::PenaltyOptions penalty;
+  program::PictureOptions picture;
   std::string model = "section", wall = "no-slip", elements = "70x100", output = "results/heap";
   std::string start = "rest", outflow = "fully-developed";
   double flow_rate = 0;  ///< 0: the angle is given instead

@@ -1,6 +1,9 @@
 #include "threed/heap_report.hpp"
 
+#include <algorithm>
+
 #include "common/mixed/extrusion.hpp"
+#include "common/program/flow_view.hpp"
 #include "common/program/grid.hpp"
 #include "common/program/model_choice.hpp"
 #include "common/program/summary.hpp"
@@ -40,28 +43,7 @@ io::Grid<3> grid(const HeapSolution& solution) {
   io::Grid<3> grid = program::grid_of<3>(space.mesh(), {0, 1, 2});
   const Eigen::VectorXd& state = solution.state.value();
   grid.point_fields = {{"velocity", {state.begin(), state.begin() + space.velocity_count()}, 3}};
-  io::Field rate{"shear_rate", {}}, inertial{"inertial_number", {}}, pressure{"pressure", {}},
-      dynamic{"dynamic_pressure", {}}, stress{"stress", {}}, yield{"stress_over_yield_stress", {}};
-  const auto rule = fem::gauss_rule<3>(3);
-  const rheology::FrictionLaw& law = heap.heap().section.law;
-  for (std::size_t e = 0; e < space.element_count(); ++e) {
-    double rates = 0, pressures = 0, dynamics = 0, stresses = 0;  // means over the points
-    for (const auto& point : rule) {
-      const mixed::FlowPoint<3> at = heap.point_at(solution.state, e, point.position);
-      const double share = 1 / static_cast<double>(rule.size());
-      rates += share * at.law.shear_rate;
-      pressures += share * at.law.total_pressure;
-      dynamics += share * at.values.pressure;
-      stresses += share * at.law.stress();
-    }
-    rate.values.push_back(rates);
-    pressure.values.push_back(pressures);
-    dynamic.values.push_back(dynamics);
-    stress.values.push_back(stresses);
-    inertial.values.push_back(law.inertial_number(rates, pressures));
-    yield.values.push_back(stresses / (law.mu_s * pressures));
-  }
-  grid.cell_fields = {rate, inertial, pressure, dynamic, stress, yield};
+  grid.cell_fields = program::cell_means(program::view_of(heap.flow(), solution.state), true);
   return grid;
 }
 
@@ -71,6 +53,17 @@ io::Figure figure(const HeapSolution& solution, const shear::CrossSection<2>& se
   figure.caption = "heap in three dimensions, the section at half its length at Q* = " +
                    io::rounded(twod::flow_rate(solution.middle, section_space), 6);
   return figure;
+}
+
+io::Figure picture(const HeapSolution& solution, const std::string& title,
+                   const program::PictureOptions& options) {
+  const mixed::MixedFlow<3>& flow = solution.flow->flow();
+  double length = 0;
+  for (const auto& node : flow.space().mesh().nodes) length = std::max(length, node[0]);
+  program::PictureLabels labels = twod::picture_labels("heap_fields", title);
+  labels.caption += " Cut through space at half the length.";
+  return program::picture(program::cut_of(program::view_of(flow, solution.state), 0, 0.5 * length),
+                          flow.rheology().law, labels, options);
 }
 
 void add_comparison(nlohmann::json& summary, const HeapSolution& solution,

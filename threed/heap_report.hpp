@@ -5,6 +5,7 @@
 
 #include "common/io/figure.hpp"
 #include "common/io/vtu.hpp"
+#include "common/program/flow_picture.hpp"
 #include "common/scene/description.hpp"
 #include "threed/heap_solve.hpp"
 
@@ -22,6 +23,10 @@ io::Grid<3> grid(const HeapSolution& solution);
 
 /// The figure of the section at half the length.
 io::Figure figure(const HeapSolution& solution, const shear::CrossSection<2>& section_space);
+
+/// The fields in the section at half the length.
+io::Figure picture(const HeapSolution& solution, const std::string& title,
+                   const program::PictureOptions& options);
 
 /// One line a mesh: what was solved there, and what it took.
 std::string mesh_lines(const HeapSolution& solution);

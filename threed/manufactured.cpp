@@ -36,17 +36,6 @@ mixed::MixedSpace<Dim> space_of(const ManufacturedCase<Dim>& manufactured,
           manufactured.pressure_basis};
 }
 
-template <int Dim>
-mixed::MixedFlow<Dim> problem_of(const ManufacturedCase<Dim>& manufactured,
-                                 const mixed::MixedSpace<Dim>& space,
-                                 const ManufacturedOptions& options) {
-  const rheology::Rheology rheology = manufactured.rheology();
-  mixed::MixedFlow<Dim> problem(
-      space, rheology, manufactured.exact.load(rheology, manufactured.inertia), options.penalty);
-  mixed::set_tangent(problem, options.tangent);
-  return problem;
-}
-
 }  // namespace
 
 template <>
@@ -85,14 +74,27 @@ mixed::BoundaryConditions<Dim> exact_conditions(const ManufacturedCase<Dim>& man
 }
 
 template <int Dim>
-ManufacturedSolution solve_manufactured(const ManufacturedCase<Dim>& manufactured,
-                                        const MeshFamily<Dim>& family, int n,
-                                        const ManufacturedOptions& options) {
+mixed::MixedFlow<Dim> problem_of(const ManufacturedCase<Dim>& manufactured,
+                                 const mixed::MixedSpace<Dim>& space,
+                                 const ManufacturedOptions& options) {
+  const rheology::Rheology rheology = manufactured.rheology();
+  mixed::MixedFlow<Dim> problem(
+      space, rheology, manufactured.exact.load(rheology, manufactured.inertia), options.penalty);
+  mixed::set_tangent(problem, options.tangent);
+  return problem;
+}
+
+template <int Dim>
+SolvedManufactured<Dim> solve_manufactured(const ManufacturedCase<Dim>& manufactured,
+                                           const MeshFamily<Dim>& family, int n,
+                                           const ManufacturedOptions& options) {
   const solve::Stopwatch watch;
-  const auto space = space_of(manufactured, family, n);
+  SolvedManufactured<Dim> solution;
+  solution.space = std::make_unique<mixed::MixedSpace<Dim>>(space_of(manufactured, family, n));
+  const auto& space = *solution.space;
+  auto& state = solution.state;
   auto problem = problem_of(manufactured, space, options);
-  auto state = mixed::interpolate(manufactured.exact, space);
-  ManufacturedSolution solution;
+  state = mixed::interpolate(manufactured.exact, space);
   solution.newton = solve::newton(problem, state, options.newton);
   constexpr double failed = std::numeric_limits<double>::quiet_NaN();
   solution.errors = solve::is_success(solution.newton.end)
@@ -115,12 +117,14 @@ std::vector<solve::NamedCheck> check_manufactured(const ManufacturedCase<Dim>& m
   return mixed::check_jacobian(problem_of(manufactured, space, options), pressure);
 }
 
-#define TALUS_FOR(Dim)                                                                        \
-  template mixed::BoundaryConditions<Dim> exact_conditions(                                   \
-      const ManufacturedCase<Dim>&, const fem::Mesh<Dim>&, const std::string&);               \
-  template ManufacturedSolution solve_manufactured(                                           \
-      const ManufacturedCase<Dim>&, const MeshFamily<Dim>&, int, const ManufacturedOptions&); \
-  template std::vector<solve::NamedCheck> check_manufactured(                                 \
+#define TALUS_FOR(Dim)                                                                          \
+  template mixed::BoundaryConditions<Dim> exact_conditions(                                     \
+      const ManufacturedCase<Dim>&, const fem::Mesh<Dim>&, const std::string&);                 \
+  template mixed::MixedFlow<Dim> problem_of(                                                    \
+      const ManufacturedCase<Dim>&, const mixed::MixedSpace<Dim>&, const ManufacturedOptions&); \
+  template SolvedManufactured<Dim> solve_manufactured(                                          \
+      const ManufacturedCase<Dim>&, const MeshFamily<Dim>&, int, const ManufacturedOptions&);   \
+  template std::vector<solve::NamedCheck> check_manufactured(                                   \
       const ManufacturedCase<Dim>&, const MeshFamily<Dim>&, int, const ManufacturedOptions&);
 TALUS_FOR(2)
 TALUS_FOR(3)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -59,11 +60,24 @@ struct ManufacturedSolution {
   double seconds = 0;  ///< CPU time, with set-up and errors
 };
 
+/// The same with the flow itself.
+template <int Dim>
+struct SolvedManufactured : ManufacturedSolution {
+  std::unique_ptr<mixed::MixedSpace<Dim>> space;
+  typename mixed::MixedFlow<Dim>::State state;
+};
+
+/// The problem that is solved; case and space must outlive it.
+template <int Dim>
+mixed::MixedFlow<Dim> problem_of(const ManufacturedCase<Dim>& manufactured,
+                                 const mixed::MixedSpace<Dim>& space,
+                                 const ManufacturedOptions& options);
+
 /// Solves by Newton, from the exact flow interpolated.
 template <int Dim>
-ManufacturedSolution solve_manufactured(const ManufacturedCase<Dim>& manufactured,
-                                        const MeshFamily<Dim>& family, int n,
-                                        const ManufacturedOptions& options = {});
+SolvedManufactured<Dim> solve_manufactured(const ManufacturedCase<Dim>& manufactured,
+                                           const MeshFamily<Dim>& family, int n,
+                                           const ManufacturedOptions& options = {});
 
 /// Checks the tangent on a mesh, about the pressure in the middle of the flow; see
 /// mixed::check_jacobian.

@@ -18,7 +18,7 @@ has_order() {  # ORDER COARSE FINE: log2 of their ratio, to 0.25
 }
 
 # 1. The sample runs of the program's header.
-check_samples "$manufactured" "$source_folder/manufactured_main.cpp" none
+check_samples "$manufactured" "$source_folder/manufactured_main.cpp" fields
 
 # 2. Orders 3, 2 and 2, under any law, in the plane and in space.
 while read -r n options; do
@@ -100,6 +100,8 @@ for model in plane space; do
     check expect_text stdout WRONG
   done
 done
+
+check refuses "--plot: not used by --model space" -- "$manufactured" --model space --plot
 
 # 6. A folder holds one run.
 check holds_one_run manufactured "$manufactured" --elements 3

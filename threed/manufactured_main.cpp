@@ -2,7 +2,7 @@
 // that makes them a solution in the law that is asked for. The answer is known, on any mesh.
 //
 // Sample runs (the test suite runs them):
-//   manufactured --elements 12
+//   manufactured --elements 12 --plot
 //   manufactured --flow turning --mesh sector --elements 8 --regularisation barker-gray
 //   manufactured --mesh distorted --elements 8 --penalty plain --lambda-p 1e-4 --no-inertia
 //   manufactured --model space --mesh distorted --elements 3 --tangent primal-dual --threads 2
@@ -12,6 +12,7 @@
 #include <iostream>
 
 #include "common/io/options.hpp"
+#include "common/program/flow_picture.hpp"
 #include "common/program/method_options.hpp"
 #include "common/program/penalty_options.hpp"
 #include "common/program/summary.hpp"
@@ -29,10 +30,11 @@ struct Options {
   std::string regularisation = "chauchat-medale", friction, method = "newton", tangent = "full";
   std::string output = "results/manufactured";
   program::PenaltyOptions penalty;
+  program::PictureOptions picture;
   double lambda_r = 0;   // 0: the flow's own
   double tolerance = 0;  // 0: Newton's own default
   int elements = 16, max_iterations = 200, threads = 1;
-  bool no_inertia = false, check_jacobian = false;
+  bool no_inertia = false, plot = false, check_jacobian = false;
 };
 
 template <class Named>
@@ -111,6 +113,18 @@ void print(const shear::ShearSolution& record, const mixed::FlowErrors& errors) 
             << "; divergence " << io::rounded(errors.divergence, 4) << '\n';
 }
 
+io::Figure picture(const threed::ManufacturedCase<2>& manufactured,
+                   const threed::SolvedManufactured<2>& solution, const Options& options) {
+  const auto flow = threed::problem_of(manufactured, *solution.space, solve_options(options));
+  const std::string title = "manufactured, " + options.flow + ", " + options.mesh + " mesh, " +
+                            std::to_string(options.elements) + " elements along an edge, " +
+                            options.regularisation +
+                            ", λr = " + io::rounded(manufactured.exact.lambda_r);
+  return program::picture(program::surface_of(flow, solution.state), manufactured.law,
+                          {.name = "fields", .title = title, .caption = title, .x = "x", .y = "y"},
+                          options.picture);
+}
+
 template <int Dim>
 int run(const Options& options, scene::Case& a_case) {
   // 1. The flow, the law and the mesh.
@@ -125,7 +139,9 @@ int run(const Options& options, scene::Case& a_case) {
     return program::report(
         "manufactured", threed::check_manufactured(manufactured, family, options.elements, method));
   const io::ResultFolder folder = a_case.folder(options.output);
-  folder.remove_older({"summary.json", "newton.csv"});
+  std::vector<std::string> files = io::files_of("fields");
+  files.insert(files.end(), {"summary.json", "newton.csv"});
+  folder.remove_older(files);
 
   // 2. The nonlinear solve, from the exact flow.
   const auto solution = a_case.timed(
@@ -151,10 +167,14 @@ int run(const Options& options, scene::Case& a_case) {
   a_case.complete(summary);
   print(record, solution.errors);
   folder.write("newton.csv", io::to_csv(program::iteration_table(record)));
+  std::string written = " summary.json newton.csv";
+  if constexpr (Dim == 2)
+    if (options.plot && is_solved)
+      written += io::draw(folder, {picture(manufactured, solution, options)});
   folder.write("summary.json", summary.dump(2) + "\n");
   a_case.write(summary);
   if (!folder.is_nowhere())
-    std::cout << "results in " << folder.path().string() << ": summary.json newton.csv\n";
+    std::cout << "results in " << folder.path().string() << ":" << written << '\n';
 
   // 4. The exit code says whether the numbers can be trusted.
   if (is_solved) return 0;
@@ -205,6 +225,9 @@ void add_options(io::CommandLine& line, Options& o) {
   io::add_integer(line, "--max-iterations", o.max_iterations, "Of Newton", 1, 100000);
   program::add_threads(line, o.threads);
   io::add_text(line, "--output", o.output, "Folder for the results");
+  io::add_flag(line, "--plot", o.plot,
+               "Draw the fields of a plane flow (data, gnuplot script, SVG and PNG)");
+  program::add_pictures(line, o.picture);
   io::add_flag(line, "--check-jacobian", o.check_jacobian,
                "Only compare the tangent with differences of the residual (take few elements)");
 }
@@ -218,9 +241,11 @@ int main(int argc, char** argv) {
   add_options(line, options);
   scene::Case a_case(line, description());
   return a_case.run_program(argc, argv, [&] {
-    io::refuse_unused(line, {{{"--tolerance", "--max-iterations", "--output"},
+    io::refuse_unused(line, {{{"--tolerance", "--max-iterations", "--output", "--plot"},
                               !options.check_jacobian,
-                              "--check-jacobian"}});
+                              "--check-jacobian"},
+                             {{"--plot"}, options.model == "plane", "--model space"}});
+    program::check_pictures(line, options.picture, options.plot);
     return options.model == "plane" ? run<2>(options, a_case) : run<3>(options, a_case);
   });
 }

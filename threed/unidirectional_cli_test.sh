@@ -153,6 +153,15 @@ check_fails expect_text run/results/bagnold/summary.json '"angle": 0.4,'
 
 # A velocity among the smallest doubles is drawn like any other.
 check succeeds chute "$chute" --elements 10 --plot --regularisation barker-gray --friction 1.0922,3.7419,2.88287
+# The richer models have fields, the line has none.
+for model in plane space; do
+  check succeeds bagnold "$bagnold" --model $model --elements 4 --plot
+  ! command -v gnuplot >/dev/null || check test -s "$work/run/results/bagnold/fields.png"
+done
+check refuses "--fields: not used by --model line" -- "$bagnold" --plot --fields speed
+check refuses "--window: not used by a run without --plot" -- \
+  "$bagnold" --model plane --window 0,0,1,1
+
 # 5. A folder holds one run and nothing older.
 pictures="profile.dat profile.gp profile.png profile.svg"
 run "$chute" --elements 5 --plot

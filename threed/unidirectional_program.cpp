@@ -1,7 +1,9 @@
 #include "threed/unidirectional_program.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <iostream>
+#include <memory>
 
 #include "common/io/options.hpp"
 #include "common/program/model_choice.hpp"
@@ -30,7 +32,11 @@ void refuse_unused(const io::CommandLine& line, const UnidirectionalProgram& opt
        model + ", which takes full steps, and searches on a way down in lambda_r only"}};
   std::ranges::copy(program::used_options(options.method, options.check_jacobian),
                     std::back_inserter(table));
+  table.push_back({{"--fields", "--window"},
+                   !options.is_line(),
+                   "--model line, which has no fields; add --model plane or --model space"});
   io::refuse_unused(line, table);
+  program::check_pictures(line, options.picture, options.plot);
 }
 
 UnidirectionalOptions solve_options(const UnidirectionalProgram& options) {
@@ -61,12 +67,15 @@ program::Task task_at(const UnidirectionalProgram& options, double share) {
 struct Found {
   oned::Solution line;
   json size, results;
+  std::function<io::Figure()> picture = {};  // none of a line
 };
 
 template <int Dim>
 Found found_in(const ShearScene& scene, std::span<const double> across,
-               const UnidirectionalOptions& options) {
-  auto solution = solve_unidirectional<Dim>(scene, across, options);
+               const UnidirectionalOptions& options, const program::PictureOptions& drawn) {
+  const auto kept = std::make_shared<UnidirectionalSolution<Dim>>(
+      solve_unidirectional<Dim>(scene, across, options));
+  UnidirectionalSolution<Dim>& solution = *kept;
   return {std::move(solution.line),
           {{"unknowns", solution.unknowns},
            {"condensed_unknowns", solution.condensed},
@@ -74,13 +83,14 @@ Found found_in(const ShearScene& scene, std::span<const double> across,
            {"factor_entries", solution.factor_entries}},
           {{"cross_flow", solution.cross_flow},
            {"dynamic_pressure", solution.dynamic_pressure},
-           {"change_along", solution.change_along}}};
+           {"change_along", solution.change_along}},
+          [&scene, kept, options, drawn] { return picture(scene, *kept, options, drawn); }};
 }
 
 Found solve(const std::string& model, const ShearScene& scene, std::span<const double> across,
-            const UnidirectionalOptions& options) {
-  if (model == "plane") return found_in<2>(scene, across, options);
-  if (model == "space") return found_in<3>(scene, across, options);
+            const UnidirectionalOptions& options, const program::PictureOptions& drawn) {
+  if (model == "plane") return found_in<2>(scene, across, options, drawn);
+  if (model == "space") return found_in<3>(scene, across, options, drawn);
   Found found{oned::solve(scene, across, options), {}, json::object()};
   found.size["unknowns"] = found.line.velocity.size();
   return found;
@@ -128,6 +138,7 @@ void print(const ShearScene& scene, const oned::RunParameters& run, const Found&
 // Whatever a run can leave.
 std::vector<std::string> files() {
   std::vector<std::string> names = io::files_of("profile");
+  std::ranges::copy(io::files_of("fields"), std::back_inserter(names));
   for (const char* name : {"summary.json", "profile.csv", "newton.csv", "interior_point.csv"})
     names.emplace_back(name);
   return names;
@@ -136,8 +147,8 @@ std::vector<std::string> files() {
 // The summary last: where it is, the others are. Of a failed solve it says how it went, and there
 // is no flow to show.
 void write_files(const io::ResultFolder& folder, const ShearScene& scene,
-                 const UnidirectionalProgram& options, const oned::Solution& solution,
-                 const json& summary) {
+                 const UnidirectionalProgram& options, const Found& found, const json& summary) {
+  const oned::Solution& solution = found.line;
   const std::string iterations = program::iteration_file(solution);
   std::string written = " summary.json " + iterations;
   folder.write(iterations, io::to_csv(program::iteration_table(solution)));
@@ -145,7 +156,11 @@ void write_files(const io::ResultFolder& folder, const ShearScene& scene,
     folder.write("profile.csv", io::to_csv(profile_table(scene, solution)));
     written += " profile.csv";
     const std::string label = options.is_line() ? options.method.method : options.model;
-    if (options.plot) written += io::draw(folder, {profile_figure(scene, {{label, &solution}})});
+    if (options.plot) {
+      std::vector<io::Figure> figures = {profile_figure(scene, {{label, &solution}})};
+      if (found.picture) figures.push_back(found.picture());
+      written += io::draw(folder, figures);
+    }
   }
   folder.write("summary.json", summary.dump(2) + "\n");
   if (!folder.is_nowhere())
@@ -175,7 +190,8 @@ void add_options(io::CommandLine& line, UnidirectionalProgram& options, const st
   program::add_threads(line, options.threads);
   io::add_text(line, "--output", options.output, "Folder for the results");
   io::add_flag(line, "--plot", options.plot,
-               "Draw the profiles (data, gnuplot script, SVG and PNG)");
+               "Draw profiles, of plane and space the fields (data, gnuplot script, SVG and PNG)");
+  program::add_pictures(line, options.picture);
   io::add_flag(line, "--check-jacobian", options.check_jacobian,
                "Only compare the tangent with differences of the residual");
 }
@@ -208,14 +224,15 @@ int run(const io::CommandLine& line, const ShearScene& scene, const Unidirection
   }
 
   // 3. The nonlinear solve, from rest.
-  const Found found = a_case.timed([&] { return solve(options.model, scene, across, method); });
+  const Found found =
+      a_case.timed([&] { return solve(options.model, scene, across, method, options.picture); });
   const oned::Solution& solution = found.line;
 
   // 4. What came out, against the exact solution, and the files.
   json results = summary(scene, run, found);
   a_case.complete(results);
   print(scene, run, found, results["results"]);
-  write_files(folder, scene, options, solution, results);
+  write_files(folder, scene, options, found, results);
   a_case.write(results);
 
   // 5. The exit code says whether the numbers can be trusted.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/io/command_line.hpp"
+#include "common/program/flow_picture.hpp"
 #include "common/program/method_options.hpp"
 #include "common/program/penalty_options.hpp"
 #include "common/scene/case.hpp"
@@ -17,6 +18,7 @@ struct UnidirectionalProgram {
   oned::MeshOptions mesh;
   program::MethodOptions method;
   program::PenaltyOptions penalty;
+  program::PictureOptions picture;
   std::string output;
   int threads = 1;
   bool plot = false, check_jacobian = false;
@@ -30,6 +32,12 @@ void add_options(io::CommandLine& line, UnidirectionalProgram& options, const st
 /// What `chute` and `bagnold` say of themselves; `problem_options` are those of the scene alone.
 scene::Description description_of(const oned::ShearScene& scene,
                                   const std::vector<std::string>& problem_options);
+
+/// The fields of a flow in the plane, or in the middle between the planes of symmetry of one in
+/// space; a thin piece of the flow, stretched.
+template <int Dim>
+io::Figure picture(const oned::ShearScene& scene, const UnidirectionalSolution<Dim>& solution,
+                   const UnidirectionalOptions& options, const program::PictureOptions& picture);
 
 /// Limits, mesh, solve, measure, write. `parameters` are the scene's own, for summary.json.
 /// Returns the exit code: 0, or 1 where the solve or the Jacobian check does not succeed.

@@ -5,7 +5,6 @@
 #include "common/solve/stopwatch.hpp"
 
 namespace talus::threed {
-namespace {
 
 template <int Dim>
 mixed::MixedFlow<Dim> problem_of(const oned::ShearScene& scene, const mixed::MixedSpace<Dim>& space,
@@ -15,6 +14,8 @@ mixed::MixedFlow<Dim> problem_of(const oned::ShearScene& scene, const mixed::Mix
   mixed::set_tangent(problem, options.tangent_term);
   return problem;
 }
+
+namespace {
 
 template <int Dim>
 solve::ContinuationSummary solve_from_rest(mixed::MixedFlow<Dim>& problem,
@@ -92,10 +93,12 @@ std::vector<solve::NamedCheck> check_unidirectional(const oned::ShearScene& scen
   return mixed::check_jacobian(problem_of(scene, space, options), largest_pressure(scene, space));
 }
 
-#define TALUS_FOR(Dim)                                                                 \
-  template UnidirectionalSolution<Dim> solve_unidirectional(                           \
-      const oned::ShearScene&, std::span<const double>, const UnidirectionalOptions&); \
-  template std::vector<solve::NamedCheck> check_unidirectional<Dim>(                   \
+#define TALUS_FOR(Dim)                                                                       \
+  template mixed::MixedFlow<Dim> problem_of(                                                 \
+      const oned::ShearScene&, const mixed::MixedSpace<Dim>&, const UnidirectionalOptions&); \
+  template UnidirectionalSolution<Dim> solve_unidirectional(                                 \
+      const oned::ShearScene&, std::span<const double>, const UnidirectionalOptions&);       \
+  template std::vector<solve::NamedCheck> check_unidirectional<Dim>(                         \
       const oned::ShearScene&, std::span<const double>, const UnidirectionalOptions&);
 TALUS_FOR(2)
 TALUS_FOR(3)

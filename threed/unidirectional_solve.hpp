@@ -15,6 +15,11 @@ struct UnidirectionalOptions : oned::SolveOptions {
   mixed::PenaltyOptions penalty = {};
 };
 
+/// The problem that is solved; scene and space must outlive it.
+template <int Dim>
+mixed::MixedFlow<Dim> problem_of(const oned::ShearScene& scene, const mixed::MixedSpace<Dim>& space,
+                                 const UnidirectionalOptions& options);
+
 template <int Dim>
 struct UnidirectionalSolution {
   std::unique_ptr<mixed::MixedSpace<Dim>> space;

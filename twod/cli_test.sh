@@ -85,7 +85,22 @@ for file in sweep.csv sweep.pvd path.csv perimeter.csv flow_0001.vtu checkpoint.
   check has_file $file
 done
 
+# Fields are drawn whole, or what --fields and --window leave of them.
+run "$cylinder" --around 16 --loading 0.02 --lambda-r 1e-2 --plot --fields speed,regions,mesh \
+  --window=-1,-1.5,1,1
+check expect_code 0
+if command -v gnuplot >/dev/null; then
+  for file in fields.dat fields.gp fields.png fields.svg; do check has_file $file; done
+  check_fails has_file wake.png
+  check test "$(grep -c ': boundary$' "$work/run/results/cylinder/fields.dat")" -eq 2
+  check test "$(wc -c <"$work/run/results/cylinder/fields.svg")" -lt 1000000
+fi
+
 # 2. Wrong input.
+check refuses "--fields: not used by a run without --plot" -- "$cylinder" --fields speed
+check refuses "--fields: 'sped'" "did you mean speed?" -- "$cylinder" --plot --fields sped
+check refuses "--window: '0,0,1'" -- "$cylinder" --plot --window 0,0,1
+check refuses "--window: '1,0,0,1'" -- "$cylinder" --plot --window 1,0,0,1
 for value in 17 8 648 x ''; do
   check refuses --around "'$value'" "16 ... 640" -- "$cylinder" --around "$value"
 done

@@ -72,6 +72,10 @@ CylinderFlow::CylinderFlow(const Cylinder& scene)
   flow_.set_tangent_factors(mixed::tangent_factors(scene.tangent));
 }
 
+double CylinderMeasures::effective_froude(double confining_pressure) const {
+  return froude(confining_pressure) / std::sqrt(1 + Cylinder{}.law.grain_size);
+}
+
 CylinderMeasures measure(CylinderFlow& cylinder, const State& state) {
   const auto& space = cylinder.space();
   const auto& mesh = space.mesh();

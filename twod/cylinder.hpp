@@ -75,6 +75,8 @@ struct CylinderMeasures {
   double froude(double confining_pressure) const {
     return mean_velocity * std::sqrt(confining_pressure);
   }
+  /// U/sqrt(g(D+d)); d* = d/D is that of the scene.
+  double effective_froude(double confining_pressure) const;
 };
 
 /// Measures a state at the flow's own loading and λr; evaluates the flow there.

@@ -15,7 +15,7 @@ constexpr const char* checkpoint_name = "checkpoint.bin";
 std::vector<std::string> files() {
   std::vector<std::string> names = {"summary.json", "sweep.csv", "sweep.pvd", "path.csv",
                                     "perimeter.csv"};
-  for (const char* figure : {"path", "perimeter", "drag"})
+  for (const char* figure : {"path", "perimeter", "drag", "fields", "wake"})
     for (const std::string& file : io::files_of(figure)) names.push_back(file);
   return names;
 }

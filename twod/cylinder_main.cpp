@@ -32,6 +32,7 @@ namespace {
 struct Options {
   twod::SweepOptions run;
   program::PenaltyOptions penalty{.plain = 1e-8};
+  program::PictureOptions picture;
   std::string sweep, regularisation = "chauchat-medale", friction;
   std::string outflow = "fully-developed", continuation, route, method = "newton",
               tangent = "primal-dual";
@@ -163,6 +164,10 @@ std::string write_files(const io::ResultFolder& folder, const Options& options,
                  io::to_csv(twod::perimeter_table(sweep.cylinder(), sweep.state())));
     figures.push_back(twod::perimeter_figure(sweep.cylinder(), sweep.state()));
     written += " perimeter.csv";
+    if (options.plot)
+      for (const io::Figure& each :
+           twod::pictures(sweep.cylinder(), sweep.state(), options.picture))
+        figures.push_back(each);
   }
   if (options.plot) written += io::draw(folder, figures);
   folder.write("summary.json", summary.dump(2) + "\n");
@@ -270,7 +275,9 @@ int main(int argc, char** argv) {
   io::add_text(line, "--output", o.output, "Folder for the results");
   io::add_flag(line, "--resume", o.run.resume,
                "Go on from the last accepted state in the folder, with another --continuation too");
-  io::add_flag(line, "--plot", o.plot, "Draw the figures (data, gnuplot script, SVG and PNG)");
+  io::add_flag(line, "--plot", o.plot,
+               "Draw figures and fields (data, gnuplot script, SVG and PNG)");
+  program::add_pictures(line, o.picture);
   io::add_flag(line, "--check-jacobian", o.check_jacobian,
                "Only compare the tangent with differences of the residual (take few elements)");
   scene::Case a_case(line, twod::description());
@@ -283,6 +290,7 @@ int main(int argc, char** argv) {
            "--confining-pressure", "--output", "--resume", "--plot"},
           !o.check_jacobian,
           "--check-jacobian"}});
+    program::check_pictures(line, o.picture, o.plot);
     auto& mesh = o.run.scene.mesh;
     if (!line.is_given("--first-layer"))
       mesh.first_layer = twod::refined_to(mesh.around).first_layer;

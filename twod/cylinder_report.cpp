@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 
 #include "common/program/grid.hpp"
 #include "common/program/method_options.hpp"
@@ -48,42 +47,6 @@ void for_each_note(Point& point, Action&& action) {
   action("determinant_sign", point.determinant_sign);
   action("fold", point.is_fold_passed);
   action("residual", point.residual);
-}
-
-// The scene's scaling fixes d* = d/D.
-double effective_froude(const CylinderMeasures& m, double confining_pressure) {
-  const double grain_size = Cylinder{}.law.grain_size;
-  return m.froude(confining_pressure) / std::sqrt(1 + grain_size);
-}
-
-// A point of the perimeter.
-struct PerimeterPoint {
-  double angle = 0;  // degrees from the downstream end
-  mixed::FlowPoint<2> at;
-  double normal_stress = 0, shear_stress = 0;  // of ηγ - p_total 1
-};
-
-std::vector<PerimeterPoint> perimeter(const CylinderFlow& cylinder, const State& state) {
-  std::vector<PerimeterPoint> points;
-  const auto& mesh = cylinder.space().mesh();
-  for (const fem::Face& face : mesh.boundaries.at("cylinder"))
-    for (const auto& each : fem::face_rule(mesh, face)) {
-      PerimeterPoint point;
-      point.at = cylinder.flow().point_at(state, face.element, each.reference);
-      const auto& x = point.at.values.position;
-      if (x[0] < 0) continue;
-      point.angle = std::atan2(x[0], -x[1]) * 180 / std::numbers::pi;
-      const Eigen::Matrix2d gamma =
-          point.at.values.velocity_gradient + point.at.values.velocity_gradient.transpose();
-      const fem::Point<2> normal = -each.normal;  // out of the cylinder
-      const fem::Point<2> tangent(normal[1], -normal[0]);
-      const fem::Point<2> drag = point.at.law.viscosity * gamma * normal;
-      point.normal_stress = drag.dot(normal) - point.at.law.total_pressure;
-      point.shear_stress = drag.dot(tangent);
-      points.push_back(point);
-    }
-  std::ranges::sort(points, {}, &PerimeterPoint::angle);
-  return points;
 }
 
 }  // namespace
@@ -151,7 +114,7 @@ io::Table sweep_table(const std::vector<CylinderMeasures>& sweep,
     row.push_back(io::exact(m.drag_coefficient()));
     for (const double p : confining_pressures) {
       table.header.push_back("froude_at_p_ext_" + io::rounded(p));
-      row.push_back(io::exact(effective_froude(m, p)));
+      row.push_back(io::exact(m.effective_froude(p)));
     }
   }
   return table;
@@ -171,20 +134,6 @@ io::Table path_table(const std::vector<PathRecord>& path) {
                           std::to_string(point.cost.factorisations), io::exact(point.residual),
                           io::exact(m.mean_velocity), io::exact(m.drag), io::exact(m.min_pressure),
                           io::exact(m.ill_posed_share), io::exact(m.negative_share)});
-  return table;
-}
-
-io::Table perimeter_table(const CylinderFlow& cylinder, const State& state) {
-  io::Table table{"",
-                  {"angle", "dynamic_pressure", "total_pressure", "regularised_pressure",
-                   "normal_stress", "shear_stress", "regularised_normal_stress"},
-                  {}};
-  for (const PerimeterPoint& p : perimeter(cylinder, state))
-    table.rows.push_back(
-        {io::exact(p.angle), io::exact(p.at.values.pressure), io::exact(p.at.law.total_pressure),
-         io::exact(p.at.law.regularised_pressure), io::exact(p.normal_stress),
-         io::exact(p.shear_stress),
-         io::exact(p.normal_stress + p.at.law.total_pressure - p.at.law.regularised_pressure)});
   return table;
 }
 
@@ -224,77 +173,6 @@ io::QuadraticGrid grid(const CylinderFlow& cylinder, const State& state) {
   grid.cell_fields = {dynamic,    total,       regularised, rate,  eta,
                       eta_static, eta_dynamic, inertial,    posed, yielded};
   return grid;
-}
-
-io::Figure drag_figure(const std::vector<CylinderMeasures>& sweep,
-                       const std::vector<double>& confining_pressures) {
-  io::Panel force{"Drag", "Fr = U/sqrt(gD)", "F_D/(p_{ext} D)", true, false, {}};
-  io::Panel coefficient{"Drag coefficient", "Fr = U/sqrt(g(D+d))", "C_D", true, true, {}};
-  force.key = "top left";
-  for (const double p : confining_pressures) {
-    io::Curve drag{"p_{ext} = " + io::rounded(p), {}, {}}, c_d = drag;
-    for (const CylinderMeasures& m : sweep) {
-      drag.x.push_back(m.froude(p));
-      drag.y.push_back(m.drag);
-      c_d.x.push_back(effective_froude(m, p));
-      c_d.y.push_back(m.drag_coefficient());
-    }
-    force.curves.push_back(drag);
-    coefficient.curves.push_back(c_d);
-  }
-  return {"drag",
-          "Drag of the cylinder for several confining pressures (in units of φρgD), all from one "
-          "sweep of the loading (fig. 12).",
-          {force, coefficient}};
-}
-
-io::Figure perimeter_figure(const CylinderFlow& cylinder, const State& state) {
-  io::Panel pressures{"Pressures", "angle from the downstream end", "p/p_{ext}", false, false, {}};
-  io::Panel stresses{"Stresses", "angle from the downstream end", "σ/p_{ext}", false, false, {}};
-  io::Curve dynamic{"dynamic", {}, {}, io::Style::line}, total{"total", {}, {}, io::Style::line},
-      regularised{"regularised", {}, {}, io::Style::dashed},
-      normal{"normal", {}, {}, io::Style::line}, shear{"tangential", {}, {}, io::Style::line},
-      regularised_normal{"normal, regularised", {}, {}, io::Style::dashed};
-  for (const PerimeterPoint& p : perimeter(cylinder, state)) {
-    for (io::Curve* curve : {&dynamic, &total, &regularised, &normal, &shear, &regularised_normal})
-      curve->x.push_back(p.angle);
-    dynamic.y.push_back(p.at.values.pressure);
-    total.y.push_back(p.at.law.total_pressure);
-    regularised.y.push_back(p.at.law.regularised_pressure);
-    normal.y.push_back(p.normal_stress);
-    shear.y.push_back(p.shear_stress);
-    regularised_normal.y.push_back(p.normal_stress + p.at.law.total_pressure -
-                                   p.at.law.regularised_pressure);
-  }
-  pressures.curves = {dynamic, total, regularised};
-  stresses.curves = {normal, shear, regularised_normal};
-  return {
-      "perimeter", "Pressures and stresses along the perimeter (fig. 15).", {pressures, stresses}};
-}
-
-io::Figure path_figure(const std::vector<PathRecord>& path) {
-  io::Panel in_lambda{"Path in λ_r", "λ_r", "U", true, true, {}};
-  io::Panel in_loading{"Path in the loading", "F", "U", false, true, {}};
-  const auto add = [](io::Curve& curve, double x, const CylinderMeasures& m) {
-    curve.x.push_back(x);
-    curve.y.push_back(m.mean_velocity);
-  };
-  io::Curve lambda{"path", {}, {}}, loading{"path", {}, {}};
-  io::Curve lambda_folds{"folds", {}, {}, io::Style::rings},
-      loading_folds{"folds", {}, {}, io::Style::rings};
-  const double last_lambda_r = path.back().measures.lambda_r;
-  const double first_loading = path.front().measures.loading;
-  for (const auto& [point, m] : path) {
-    const bool moves_lambda = m.loading == first_loading;
-    const bool moves_loading = m.lambda_r == last_lambda_r;
-    if (moves_lambda) add(lambda, m.lambda_r, m);
-    if (moves_loading) add(loading, m.loading, m);
-    if (point.is_fold_passed && moves_lambda) add(lambda_folds, m.lambda_r, m);
-    if (point.is_fold_passed && moves_loading) add(loading_folds, m.loading, m);
-  }
-  in_lambda.curves = {lambda, lambda_folds};
-  in_loading.curves = {loading, loading_folds};
-  return {"path", "The paths of solutions that were followed.", {in_lambda, in_loading}};
 }
 
 }  // namespace talus::twod

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/program/flow_view.hpp"
 #include "common/program/grid.hpp"
 #include "common/program/summary.hpp"
 
@@ -53,31 +54,15 @@ io::QuadraticGrid grid(const SectionSolution& solution, const shear::CrossSectio
   io::QuadraticGrid grid = program::grid_of<2>(mesh, {1, 2});
   const Eigen::VectorXd velocity = solution.velocity.value();
   grid.point_fields = {{"velocity", {velocity.begin(), velocity.end()}}};
-  io::Field rate{"shear_rate", {}}, inertial{"inertial_number", {}}, pressure{"pressure", {}},
-      stress{"stress", {}}, yield{"stress_over_yield_stress", {}};
-  const auto load = load_of(solution.section);
-  const std::size_t per_element = space.points_per_element();
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    double rate_sum = 0, pressure_sum = 0, stress_sum = 0;
-    for (const std::size_t k : space.points_of(e) | std::views::take(per_element)) {
-      rate_sum += solution.shear_rate[k];
-      pressure_sum += load.pressure(space.points()[k].position);
-      stress_sum += solution.stress[k];
-    }
-    const double n = static_cast<double>(per_element);
-    rate.values.push_back(rate_sum / n);
-    pressure.values.push_back(pressure_sum / n);
-    stress.values.push_back(stress_sum / n);
-    inertial.values.push_back(load.law.inertial_number(rate_sum / n, pressure_sum / n));
-    yield.values.push_back(stress_sum / (load.law.mu_s * pressure_sum));
-  }
-  grid.cell_fields = {rate, inertial, pressure, stress, yield};
+  grid.cell_fields = program::cell_means(
+      program::view_of(space, solution, load_of(solution.section).pressure, solution.section.law),
+      false);
   return grid;
 }
 
 io::Panel profiles(const SectionSolution& solution, const shear::CrossSection<2>& space,
                    const std::string& title) {
-  io::Panel panel{title, "u / sqrt(gd)", "z / d", false, false, {}, std::nullopt, "bottom right"};
+  io::Panel panel{title, "u / sqrt(gd)", "z / d", false, false, {}};
   const std::vector<double> y = surface_profile(solution, space).y;
   const auto& nodes = space.mesh().nodes;
   for (const double share : {0.0, 0.5, 0.8, 0.95}) {
@@ -107,6 +92,28 @@ io::Figure figure(const SectionSolution& solution, const shear::CrossSection<2>&
           "heap, cross-section at Q* = " + io::rounded(flow_rate(solution, space), 6),
           {velocity, depth, profiles(solution, space, "velocity below the surface")},
           3};
+}
+
+program::PictureLabels picture_labels(const std::string& name, const std::string& title) {
+  return {.name = name,
+          .title = title,
+          .caption = title +
+                     ": half of the channel, symmetry on the left, the side wall on the "
+                     "right. The velocity points out of the picture.",
+          .x = "y / d",
+          .y = "z / d",
+          .velocity = "sqrt(gd)",
+          .pressure = "φρgd",
+          .rate = "sqrt(g/d)",
+          .viscosity = "φρd sqrt(gd)"};
+}
+
+io::Figure picture(const SectionSolution& solution, const shear::CrossSection<2>& space,
+                   const rheology::Rheology& rheology, const std::string& title,
+                   const program::PictureOptions& options) {
+  const auto view = program::view_of(space, solution, load_of(solution.section).pressure, rheology);
+  return program::picture(program::surface_of(view), rheology.law,
+                          picture_labels("section_fields", title), options);
 }
 
 }  // namespace talus::twod

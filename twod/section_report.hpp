@@ -6,6 +6,7 @@
 #include "common/io/figure.hpp"
 #include "common/io/table.hpp"
 #include "common/io/vtu.hpp"
+#include "common/program/flow_picture.hpp"
 #include "twod/section.hpp"
 
 namespace talus::twod {
@@ -30,5 +31,13 @@ io::Panel profiles(const SectionSolution& solution, const shear::CrossSection<2>
 /// Surface velocity, depths (the paper's Fig. 10) and velocity profiles below the surface (Fig.
 /// 11).
 io::Figure figure(const SectionSolution& solution, const shear::CrossSection<2>& space);
+
+/// Units and axes of pictures of a section, in any model.
+program::PictureLabels picture_labels(const std::string& name, const std::string& title);
+
+/// The fields, under the law that was solved.
+io::Figure picture(const SectionSolution& solution, const shear::CrossSection<2>& space,
+                   const rheology::Rheology& rheology, const std::string& title,
+                   const program::PictureOptions& options);
 
 }  // namespace talus::twod

@@ -36,7 +36,7 @@ checks() {
 verdicts() { grep -Ev "CPU time|report:" "$work/stdout" | sed 's/ ([0-9.]* CPU s)//'; }
 
 # 2. The parts of a cheap study and of another one, run by their lines and merged, are a direct run.
-some=(paper stability/interior-point stability/round-off)
+some=(paper/lines stability/interior-point stability/round-off)
 run "$verify" "${some[@]}" --jobs 1 --output direct
 check expect_code 0
 direct=$(verdicts)
@@ -53,30 +53,39 @@ check expect_code 0
 check test "$(verdicts)" = "$direct"
 check test -n "$(checks "$work/run/direct")"
 check test "$(checks "$work/run/merged")" = "$(checks "$work/run/direct")"
+body() {  # FOLDER: of a page, but for what is timed
+  sed -n '/<main>/,/<h2 id=checks>/p' "$work/run/$1/$page.html" | grep -v -e ' took ' -e '<td>1x1x'
+}
+for page in paper stability; do
+  check test -n "$(body direct)"
+  check test "$(body merged)" = "$(body direct)"
+done
 check grep -qF "Every check holds." "$work/run/merged/index.html"
-run_again "$verify" "${some[@]}" --merge 'the parts/paper' 'the parts/stability-interior-point' \
+run_again "$verify" "${some[@]}" --merge 'the parts/paper-lines' 'the parts/stability-interior-point' \
   'the parts/stability-round-off' --output merged
 check expect_code 0
 check test "$(verdicts)" = "$direct"
 
 # A chapter that the program mutants left joins them.
 mkdir "$work/run/campaign"
-cp -r "$work/run/the parts/paper/paper" "$work/run/campaign/mutants"
+cp -r "$work/run/the parts/paper-lines/paper/lines" "$work/run/campaign/mutants"
 run_again "$verify" --merge 'the parts' campaign --output merged
 check expect_text stdout "mutants: "
+check test -s "$work/run/merged/mutants.html"
 run_again "$verify" "${some[@]}" --merge 'the parts' --output merged
 check test "$(verdicts)" = "$direct"
 check test -z "$(grep -o mutants: "$work/stdout")"
+check test ! -e "$work/run/merged/mutants.html"
 
 # What is missing has not passed, nor has what is torn; the report is written.
-run_again "$verify" paper stability --merge 'the parts' --output merged
+run_again "$verify" paper/lines stability --merge 'the parts' --output merged
 check expect_code 1
 check expect_text stdout "stability/maps was not run" "report:"
-check grep -qF "stability/maps was not run" "$work/run/merged/index.html"
-truncate -s 100 "$work/run/the parts/paper/paper/chapter.json"
+check grep -qF "stability/maps was not run" "$work/run/merged/stability.html"
+truncate -s 100 "$work/run/the parts/paper-lines/paper/lines/chapter.json"
 run_again "$verify" "${some[@]}" --merge 'the parts' --output merged
 check expect_code 1
-check expect_text stdout "paper did not end: it is torn" "report:"
+check expect_text stdout "paper/lines did not end: it is torn" "report:"
 check grep -qF "Some checks do not hold" "$work/run/merged/index.html"
 
 # merge_refuses TEXT... -- OPTIONS...: in the folder of the last run, which stays as it is.
@@ -93,14 +102,30 @@ merge_refuses() {
 mkdir "$work/run/empty"
 check merge_refuses "empty" "holds no part" -- --merge empty
 check merge_refuses "nowhere" "is no folder" -- --merge 'the parts' nowhere
-check merge_refuses "paper is there twice" "'direct/paper'" -- --merge direct 'the parts'
+check merge_refuses "paper/lines is there twice" "'direct/paper/lines'" -- --merge direct 'the parts'
 check merge_refuses "--full" -- --merge direct --full
 run_again "$verify" stability/interior-point --full --output full
 check expect_code 0
 run_again "$verify" stability/interior-point --full --merge full --output merged
 check expect_code 0
 check merge_refuses "stability/interior-point was run with --full, " " without" -- \
-  paper stability/interior-point --merge full 'the parts/stability-round-off'
+  paper/lines stability/interior-point --merge full 'the parts/stability-round-off'
+
+# Curves that a user gives are drawn, in the parts too that run by their lines, and merged.
+given="$work/given.csv"
+printf 'figure,panel,curve,x,y\n8,a,made up,0.4,1\n8,a,made up,0.5,7\n12,c,later,1,1\n' >"$given"
+run "$verify" paper/lines --data "$given" --list
+check test "$(grep -cF -- "--data $given" "$work/stdout")" -eq 1
+cp "$work/stdout" "$work/run/lines"
+run_again sh lines
+check expect_code 0
+check grep -qF "made up" "$work/run/results/parts/paper-lines/paper/lines/fig8.dat"
+run_again "$verify" paper/lines --merge results/parts --output merged
+check expect_code 0
+check grep -qF "made up" "$work/run/merged/paper/lines/fig8.dat"
+check grep -rqF "Points given with --data: 2." "$work/run/merged" --include="*.html"
+run "$verify" orders paper --data "$given" --list
+check test "$(grep -cF -- "--data" "$work/stdout")" -eq "$(grep -c ' paper/' "$work/stdout")"
 
 # 3. Wrong input.
 check refuses "'jacobain'" "did you mean jacobian?" -- "$verify" jacobain
@@ -111,6 +136,13 @@ check refuses "'paper/'" "paper" -- "$verify" paper/
 check refuses "--jobs: not used by --list" -- "$verify" --list --jobs 2
 check refuses "--merge: not used by --list" -- "$verify" --list --merge elsewhere
 check refuses "--jobs: not used by --merge" -- "$verify" --merge elsewhere --jobs 2
+check refuses "--data: not used by --merge" -- "$verify" --merge elsewhere --data "$given"
+check refuses "--data: not used by any of these studies, only by paper" -- \
+  "$verify" orders --data "$given"
+check refuses "--data: 'nowhere.csv' is no file" -- "$verify" paper --data nowhere.csv
+printf 'figure,panel,curve,x,y\n8,a,made up,0.4,1\n9,a,made up,0.4,1\n' >"$given"
+check refuses "--data: '$given', line 3: figure: '9' is none of: 2, 3" -- \
+  "$verify" paper --data "$given" --list
 check refuses "--merge: 'elsewhere'" -- "$verify" --merge elsewhere
 check refuses "--merge: '' is no value" -- "$verify" --merge ''
 check refuses --ful "did you mean --full?" -- "$verify" --ful
@@ -171,7 +203,7 @@ code=$?
 check expect_code 1
 check expect_text stdout "in all: about" "stability/maps did not end: killed by signal 9" \
   "heap did not end: killed by signal 9" "report:"
-check grep -qF "killed by signal 9" "$work/run/out/index.html"
+check grep -qF "killed by signal 9" "$work/run/out/heap.html"
 check grep -qF "Some checks do not hold" "$work/run/out/index.html"
 
 finish

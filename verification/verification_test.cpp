@@ -8,7 +8,6 @@
 #include "verification/cost/scene_cost.hpp"
 #include "verification/cylinder/cylinder_runs.hpp"
 #include "verification/harness/fit.hpp"
-#include "verification/harness/html_report.hpp"
 #include "verification/harness/methods.hpp"
 #include "verification/heap/heap_study.hpp"
 #include "verification/orders/orders_parts.hpp"
@@ -124,29 +123,6 @@ BOOST_AUTO_TEST_CASE(an_order_half_off_is_rejected) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_report_shows_failures_and_escapes_text) {
-  Chapter chapter{"name", "Is a < b?", {}, {}};
-  chapter.text("x & y");
-  chapter.check(Kind::self_consistency, "good", 1, 0, 2);
-  const auto html = [&] {
-    return verification::html_report({verification::write_chapter(chapter, "no such folder")},
-                                     "./run verify");
-  };
-  BOOST_TEST(html().find("Every check holds.") != std::string::npos);
-  BOOST_TEST(html().find("Is a &lt; b?") != std::string::npos);
-  BOOST_TEST(html().find("x &amp; y") != std::string::npos);
-  chapter.check(Kind::self_consistency, "bad", 3, 0, 2);
-  BOOST_TEST(html().find("Some checks do not hold.") != std::string::npos);
-  BOOST_TEST(html().find("fail>FAILS") != std::string::npos);
-}
-
-BOOST_AUTO_TEST_CASE(a_figure_without_its_picture_is_reported_as_skipped) {
-  Chapter chapter{"name", "title", {}, {}};
-  chapter.figure({"missing", "caption", {}, 1});
-  const std::string html = verification::write_chapter(chapter, "no such folder").body;
-  BOOST_TEST(html.find("Skipped: gnuplot drew no figure.") != std::string::npos);
-}
-
 BOOST_AUTO_TEST_CASE(a_solve_that_fails_leaves_no_number_that_a_check_lets_pass) {
   const auto scene = scene_of(oned::Chute{});
   const auto line = oned::boundaries(scene, {.elements = 5});
@@ -193,7 +169,8 @@ BOOST_AUTO_TEST_CASE(the_answer_element_by_element_is_that_of_the_solvers) {
 BOOST_AUTO_TEST_CASE(a_wrong_scene_turns_the_verdicts_on_the_paper) {
   const auto verdicts = [](const oned::ShearScene& chute, const oned::ShearScene& bagnold) {
     Chapter chapter;
-    verification::paper_of(chapter, chute, bagnold, {});
+    const verification::Context quick;
+    verification::paper_lines_of(chapter, chute, bagnold, quick);
     std::set<std::string> open;
     for (const auto& row : std::get<io::Table>(chapter.blocks[1]).rows)
       if (row.back() == verification::open_verdict) open.insert(row.front());

@@ -6,6 +6,7 @@
 //   verify cylinder stability --full --jobs 1
 //   verify --full --list --output results/parts
 //   verify --merge results/parts
+//   verify paper --data experiments.csv
 #include <iostream>
 
 #include "common/io/options.hpp"
@@ -24,7 +25,7 @@ struct Asked {
   std::vector<std::string> names;
   verification::RunOptions run{.full = false, .jobs = verification::default_jobs()};
   bool list = false;
-  std::string merge, output = "results/verify";
+  std::string merge, data, output = "results/verify";
 };
 
 std::string minutes(double value) {
@@ -77,6 +78,20 @@ std::vector<Study> chosen_studies(const std::vector<std::string>& names) {
   return chosen;
 }
 
+std::vector<verification::OpenFigure> open_figures(const std::vector<Study>& studies) {
+  std::vector<verification::OpenFigure> all;
+  for (const Study& study : studies)
+    all.insert(all.end(), study.open_figures.begin(), study.open_figures.end());
+  return all;
+}
+
+std::string names_of_drawing_studies() {
+  std::string names;
+  for (const Study& study : verification::studies())
+    if (!study.open_figures.empty()) names += (names.empty() ? "" : ", ") + study.name;
+  return names;
+}
+
 // The parts as command lines, each with a folder of its own below `output`.
 void print_parts(const std::vector<Study>& chosen, const Asked& asked) {
   const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
@@ -85,8 +100,9 @@ void print_parts(const std::vector<Study>& chosen, const Asked& asked) {
       const std::string name = study.name_of(part);
       std::string own = name;
       std::ranges::replace(own, '/', '-');
+      const bool draws = !asked.data.empty() && !study.open_figures.empty();
       std::cout << io::shell_word(program) << ' ' << name << (asked.run.full ? " --full" : "")
-                << " --output "
+                << (draws ? " --data " + io::shell_word(asked.data) : "") << " --output "
                 << io::shell_word((std::filesystem::path(asked.output) / own).string()) << '\n';
     }
 }
@@ -124,11 +140,12 @@ bool report(const std::vector<verification::Written>& chapters, const Asked& ask
   for (const std::string& name : asked.names) command += " " + name;
   if (asked.run.full) command += " --full";
   if (!asked.merge.empty()) command += " --merge " + io::shell_word(asked.merge);
-  folder.write("index.html", verification::html_report(chapters, command));
+  if (!asked.data.empty()) command += " --data " + io::shell_word(asked.data);
+  verification::write_report(folder, chapters, command);
   bool passed = true;
   for (const auto& chapter : chapters) {
     std::cout << chapter.name << ": " << chapter.held() << " of " << chapter.checks.size()
-              << " checks hold (" << io::fixed(chapter.seconds, chapter.seconds < 10 ? 1 : 0)
+              << " checks hold (" << io::fixed(chapter.seconds(), chapter.seconds() < 10 ? 1 : 0)
               << " CPU s)\n"
               << chapter.failures();
     passed = passed && chapter.passed();
@@ -166,12 +183,19 @@ int main(int argc, char** argv) {
   io::add_text(line, "--merge", asked.merge,
                "Run nothing; take the parts from these folders, or the folders within")
       .takes(1, 1000);
+  io::add_text(line, "--data", asked.data,
+               "Curves of others to draw in the paper's figures: a table figure,panel,curve,x,y");
   io::add_text(line, "--output", asked.output, "Folder for the report and its files");
   return line.run(argc, argv, [&] {
     const bool runs = asked.merge.empty();
-    io::refuse_unused(
-        line, {{{"--jobs", "--merge"}, !asked.list, "--list"}, {{"--jobs"}, runs, "--merge"}});
+    io::refuse_unused(line, {{{"--jobs", "--merge"}, !asked.list, "--list"},
+                             {{"--jobs", "--data"}, runs, "--merge"}});
     auto chosen = chosen_studies(asked.names);
+    const auto open = open_figures(chosen);
+    io::refuse_unused(line, {{{"--data"},
+                              !open.empty(),
+                              "any of these studies, only by " + names_of_drawing_studies()}});
+    if (!asked.data.empty()) asked.run.given = verification::read_given_curves(asked.data, open);
     if (asked.list) {
       if (!line.is_given("--output")) asked.output = "results/parts";
       print_parts(chosen, asked);
@@ -180,7 +204,7 @@ int main(int argc, char** argv) {
     const auto found = runs ? verification::Found{} : found_parts(asked, chosen);
     if (!runs) asked.run.full = found.is_full;
     const io::ResultFolder folder(asked.output);
-    folder.remove_older({"index.html"});
+    folder.remove_older(verification::report_files(verification::studies()));
     const auto chapters =
         runs ? run(chosen, asked, folder) : verification::merge_studies(chosen, found, folder);
     return report(chapters, asked, folder) ? 0 : 1;

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <set>
 #include <sstream>
 
 #include <boost/test/unit_test.hpp>
@@ -156,7 +157,7 @@ BOOST_AUTO_TEST_CASE(figure_scripts_draw_every_block_of_the_data) {
     BOOST_TEST(contains(script, "'figure.dat' index 0"));
     BOOST_TEST(!contains(script, "index 1 "));  // the empty curve
     BOOST_TEST(contains(script, "'figure.dat' index 2 using 1:2:3 with image"));
-    BOOST_TEST(contains(script, "title 'it''s one'"));
+    BOOST_TEST(contains(script, "title \"it's one\""));
     BOOST_TEST(count(script, "set logscale") == 1);
   }
 }
@@ -171,6 +172,74 @@ BOOST_AUTO_TEST_CASE(a_panel_of_one_point_has_ranges_around_it) {
   figure.panels[0].curves[0].x = {0.1, 0.1};
   figure.panels[0].curves[0].y = {0, 0};
   BOOST_TEST(contains(figure_script(figure, "svg"), "set yrange [-1:1]\n"));
+}
+
+BOOST_AUTO_TEST_CASE(a_slope_is_a_triangle_of_its_order_below_a_stretch_of_the_way) {
+  Figure figure{"figure", "", {{"", "h", "error", true, true, {}}}, 1};
+  figure.panels[0].curves = {{"order 2", {1, 0.01}, {1, 1e-4}, Style::slope}};
+  const std::string data = figure_data(figure);
+  std::istringstream lines(data.substr(data.find("error\n") + 6));
+  double x[4], y[4];
+  for (int i = 0; i < 4; ++i) lines >> x[i] >> y[i];
+  BOOST_TEST(std::log(y[2] / y[0]) / std::log(x[2] / x[0]) == 2,
+             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(x[1] == x[2]);  // upright on the side where the error is large
+  BOOST_TEST(y[0] == y[1]);
+  BOOST_TEST((x[3] == x[0] && y[3] == y[0]));
+  BOOST_TEST(contains(figure_script(figure, "svg"), "('order 2') with labels"));
+}
+
+BOOST_AUTO_TEST_CASE(bars_are_shares_in_the_data_with_their_counts) {
+  Figure figure{"figure", "", {{"", "%", "", false, false, {}}}, 1};
+  figure.panels[0].bars = Bars{{"first", "second"}, {"good", "bad"}, {{3, 0}, {1, 0}}};
+  const std::string data = figure_data(figure);
+  BOOST_TEST(contains(data, "37.5 -0 0 75 3\n0 -1 0 0 0\n"));
+  BOOST_TEST(contains(data, "87.5 -0 75 100 1\n"));
+  BOOST_TEST(count(figure_script(figure, "svg"), "with boxxyerror") == 2);
+}
+
+BOOST_AUTO_TEST_CASE(curves_differ_in_colour_line_and_mark_and_the_first_are_the_thickest) {
+  Figure figure{"figure", "", {{"", "x", "y", false, false, {}}}, 1};
+  for (const char* label : {"a", "b", "c", "d", "e"})
+    figure.panels[0].curves.push_back({label, {1, 2}, {1, 2}});
+  const std::string script = figure_script(figure, "svg");
+  std::set<std::string> colours, dashes, marks;
+  double thinner = 10;
+  for (std::size_t at = script.find(" lw "); at != std::string::npos;
+       at = script.find(" lw ", at + 1)) {
+    std::istringstream words(script.substr(at + 4));
+    double width = 0;
+    std::string word, dash, mark, colour;
+    words >> width >> word >> dash >> word >> mark >> word >> word >> word >> word >> colour;
+    BOOST_TEST(width < thinner);
+    thinner = width;
+    dashes.insert(dash);
+    marks.insert(mark);
+    colours.insert(colour);
+  }
+  for (const auto& each : {colours, dashes, marks}) BOOST_TEST(each.size() == 5U);
+}
+
+BOOST_AUTO_TEST_CASE(every_panel_is_a_picture_of_its_own_as_large_as_the_page_is_told) {
+  const TemporaryFolder temporary;
+  const ResultFolder folder(temporary.path());
+  const Figure figure = two_panels();
+  BOOST_TEST(panel_file(figure, 1) == "figure_2.svg");
+  BOOST_TEST(panel_file({"one", "", {figure.panels[0]}, 1}, 0) == "one.svg");
+  if (!write_panels(folder, figure).empty()) {
+    BOOST_TEST(!gnuplot_is_available());
+    BOOST_TEST_MESSAGE("skipped: gnuplot is missing, no panel was looked at");
+    return;
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string svg = contents_of(folder.path() / panel_file(figure, i));
+    const PanelSize size = size_of(figure.panels[i]);
+    BOOST_TEST(contains(svg, "width=\"" + std::to_string(size.width) + "\""));
+    BOOST_TEST(contains(svg, "height=\"" + std::to_string(size.height) + "\""));
+    BOOST_TEST(count(svg, "<svg") == 1);
+    BOOST_TEST(contains(svg, i == 0 ? "it's one" : "first"));
+  }
+  BOOST_TEST(contents_of(folder.path() / "figure.dat") == figure_data(figure));
 }
 
 BOOST_AUTO_TEST_CASE(figures_are_drawn_where_gnuplot_is_and_their_data_everywhere) {

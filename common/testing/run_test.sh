@@ -75,7 +75,7 @@ check expect_empty stdout
 # 4. Wrong words.
 check refuses "'chtue'" "did you mean chute?" "(see ./run --help)" -- "$tree/run" chtue
 check refuses "'verfiy'" "did you mean verify?" -- "$tree/run" verfiy --full
-check refuses "'plot'" "chute bagnold heap cylinder manufactured study verify fuzz mutants docs build" -- "$tree/run" plot
+check refuses "'plot'" "chute bagnold heap cylinder manufactured study verify fuzz mutants docs pages build" -- "$tree/run" plot
 check_fails refuses "did you mean" -- "$tree/run" plot
 check refuses "''" -- "$tree/run" ''
 check refuses "'--fast'" -- "$tree/run" build --fast

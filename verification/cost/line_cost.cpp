@@ -93,17 +93,22 @@ std::vector<std::vector<double>> panels_of(const std::vector<Run>& runs) {
 // For each family of meshes, with every law and what has no λr.
 io::Figure front_figure(const oned::ShearScene& scene, const std::string& name,
                         const std::vector<Run>& runs) {
-  io::Figure figure{
-      name,
-      "L2 error against CPU time of one solve (best of several): every point is a "
-      "mesh. In the last panel every run, and their Pareto front: nothing cheaper is as "
-      "accurate.",
-      {},
-      2};
+  io::Figure figure{name,
+                    "The " + scene.title +
+                        " on a line: L2 error of the velocity against CPU time "
+                        "of one solve (best of several); every point is a mesh. In the last panel "
+                        "every run, and their Pareto front: nothing cheaper is as "
+                        "accurate.",
+                    {},
+                    2};
   for (const auto& order_case : scene.order_cases)
     for (const std::vector<double>& shared : panels_of(runs)) {
-      io::Panel panel{
-          scene.name + ", " + order_case.name, "CPU seconds", "L2 error", true, true, {}};
+      io::Panel panel{scene.name + ", " + order_case.name,
+                      "CPU seconds",
+                      "L2 error / (d sqrt(g))",
+                      true,
+                      true,
+                      {}};
       if (shared.size() == 1) panel.title += ", λr " + short_power(shared[0]);
       for (const double lambda_r : shared)
         for (const NamedMethod& method : newton_methods(lambda_r)) {
@@ -114,11 +119,14 @@ io::Figure front_figure(const oned::ShearScene& scene, const std::string& name,
       const std::string without = reference_method().label;
       panel.curves.push_back(curve_of(runs, order_case.name, without, without));
       std::erase_if(panel.curves, [](const io::Curve& curve) { return curve.x.empty(); });
-      panel.key = "bottom left";
       figure.panels.push_back(panel);
     }
-  io::Panel front{
-      scene.name + ", all meshes and methods", "CPU seconds", "L2 error", true, true, {}};
+  io::Panel front{scene.name + ", all meshes and methods",
+                  "CPU seconds",
+                  "L2 error / (d sqrt(g))",
+                  true,
+                  true,
+                  {}};
   io::Curve all{"every run", {}, {}, io::Style::points}, best{"Pareto front", {}, {}};
   for (const Run& run : runs) {
     io::Curve& curve = run.on_front ? best : all;

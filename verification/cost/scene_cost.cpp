@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "common/io/options.hpp"
 #include "common/rheology/regularisation.hpp"
 #include "common/solve/extremes.hpp"
 #include "verification/cost/cost_parts.hpp"
+#include "verification/harness/fit.hpp"
 #include "verification/study/kinds.hpp"
 #include "verification/study/question.hpp"
 
@@ -50,6 +52,61 @@ void add_rows(io::Table& table, const WorkQuestion& question, const study::Table
            std::isfinite(reached) ? io::rounded(reached, 3) : "", error, on_front ? "yes" : "",
            row->record.at("command")});
     }
+}
+
+// Of Newton's method the law, else the method: what a case on a front is known by.
+std::string way_of(const std::pair<std::string, const study::Row*>& on_front) {
+  const auto& [way, row] = on_front;
+  if (way.empty()) return row->option("--regularisation");
+  constexpr const char* newton = "newton, ";
+  return way.rfind(newton, 0) == 0 ? way.substr(std::string(newton).size()) : way;
+}
+
+// The cases of a question that no other beats in both time and error, under the name of the most
+// accurate: its way and its mesh.
+io::Curve front_curve(const WorkQuestion& question, const study::Table& answer,
+                      const std::string& error, const study::Findings& found) {
+  io::Curve curve{question.title, {}, {}};
+  for (const auto& [way, row] : found.front) {
+    curve.x.push_back(row->number("cpu_seconds"));
+    curve.y.push_back(row->number(error));
+    curve.commands.push_back(row->record.at("command"));
+  }
+  if (found.front.empty()) return curve;
+  const study::Row* const best = found.front.back().second;
+  curve.label += ": " + way_of(found.front.back()) + ", " + best->option(answer.mesh_option());
+  return curve;
+}
+
+// What a tenth of the error costs on a front, in times the CPU time; NaN where the error does not
+// fall by a factor of two, from which nothing can be told.
+double price_of_a_digit(const io::Curve& front) {
+  if (!(front.y.front() > 2 * front.y.back())) return std::numeric_limits<double>::quiet_NaN();
+  return std::pow(front.x.back() / front.x.front(),
+                  1 / std::log10(front.y.front() / front.y.back()));
+}
+
+// Whose method is on the front at its most accurate end, and what accuracy costs there.
+void add_headline(Chapter& chapter, io::Panel panel, const std::map<std::string, int>& best) {
+  Range prices;
+  for (const io::Curve& front : panel.curves)
+    if (const double price = price_of_a_digit(front); std::isfinite(price)) prices.add(price);
+  std::string methods_named;
+  for (const auto& [way, count] : best)
+    methods_named += (methods_named.empty() ? "" : ", ") + way + " in " + std::to_string(count);
+  const std::string scenes = std::to_string(panel.curves.size());
+  chapter.headline(
+      Question::speed_against_accuracy,
+      {"fronts",
+       "The fronts of all scenes and models, every law of the registry, one thread: of "
+       "each the cases that no other beats in time and error. The name is of the most "
+       "accurate: its law, or its method if it has none, and its mesh. Errors are those of the "
+       "panels "
+       "below, relative or in the units of the scene.",
+       {panel},
+       1},
+      "Of " + scenes + " scenes and models the most accurate case is by " + methods_named +
+          "; a tenth of the error takes " + prices.text(3) + " times the CPU time.");
 }
 
 }  // namespace
@@ -95,11 +152,13 @@ void add_work_precision(Chapter& chapter, const std::vector<WorkQuestion>& quest
                   {}};
   io::Figure figure{"work_precision",
                     "Error against CPU time of every scene in every model, every law of the "
-                    "registry, one thread; every point is a mesh and a command of the table. "
-                    "Rings: no other case is both faster and better. A law without a yield "
-                    "stress is measured against its own flow.",
+                    "registry, one thread, at the λr and on the meshes of the commands; every "
+                    "point is a mesh. Rings: no other case is both faster and better. A law "
+                    "without a yield stress is measured against its own flow.",
                     {},
                     2};
+  io::Panel fronts{"", "CPU seconds", "error, relative or in g and d", true, true, {}};
+  std::map<std::string, int> best;  // way of the most accurate case, and how often
   std::size_t done = 0;
   for (const WorkQuestion& question : questions) {
     study::Table answer = study::asked(question.scene, io::split(question.words, ' '));
@@ -109,12 +168,16 @@ void add_work_precision(Chapter& chapter, const std::vector<WorkQuestion>& quest
     const std::string error = study::errors_to_show(answer, {}).front();
     panel.title = question.title;
     panel.y_label = error + " " + panel.y_label;
-    std::ranges::replace(panel.y_label, '_', ' ');  // a subscript in a picture
-    panel.key = "bottom left";
+    std::ranges::replace(panel.y_label, '_', ' ');
     // Where nothing varies but the mesh, the law tells the curve.
     for (io::Curve& curve : panel.curves)
       if (curve.label.empty()) curve.label = answer.rows.front().option("--regularisation");
     figure.panels.push_back(panel);
+    const io::Curve front = front_curve(question, answer, error, found);
+    if (!front.x.empty()) {
+      ++best[way_of(found.front.back())];
+      fronts.curves.push_back(front);
+    }
     add_rows(table, question, answer, error, found);
     double worst = 0;
     for (const auto& curve : study::curves_of(answer, {answer.mesh_option()}))
@@ -125,6 +188,7 @@ void add_work_precision(Chapter& chapter, const std::vector<WorkQuestion>& quest
                   worst, 0, question.most_left);
     progress(static_cast<double>(++done) / static_cast<double>(questions.size()));
   }
+  if (!fronts.curves.empty()) add_headline(chapter, std::move(fronts), best);
   chapter.figure(std::move(figure));
   chapter.table(std::move(table));
 }

@@ -69,7 +69,6 @@ void section_costs(Chapter& chapter, const Context& context) {
                     true,
                     true,
                     {}};
-    panel.key = "bottom left Left reverse";
     for (const double grading : {1.0, 2.0}) {
       std::vector<io::Curve> curves;
       for (const Method& method : all_methods)
@@ -93,9 +92,10 @@ void section_costs(Chapter& chapter, const Context& context) {
   }
   chapter.check(Kind::self_consistency, "heap section: solves that did not succeed", failures, 0,
                 0);
-  figure.caption = "Q* of the heap's section at α = 0.42 against CPU time, every point a mesh (" +
-                   std::to_string(acrosses.front()) + " to " + std::to_string(acrosses.back()) +
-                   " elements across, Newton to 70). " + distances.caption(all_methods);
+  figure.caption =
+      "Error of Q* of the heap's section at α = 0.42 against CPU time, every point a mesh (" +
+      std::to_string(acrosses.front()) + " to " + std::to_string(acrosses.back()) +
+      " elements across, Newton to 70). " + distances.caption(all_methods);
   chapter.figure(std::move(figure));
 }
 

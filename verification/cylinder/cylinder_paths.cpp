@@ -25,17 +25,15 @@ std::vector<Sweep> sweeps() {
   return all;
 }
 
-io::Figure empty_figure() {
-  io::Panel velocity{"Along the loading", "F", "U", false, true, {}};
+io::Figure empty_figure(const std::string& mesh) {
+  io::Panel velocity{"Along the loading", "F", "U / sqrt(p_ext / φρ)", false, true, {}};
   io::Panel negative{"Negative total pressure", "F", "share of the area", false, false, {}};
   io::Panel ill_posed{"Yielded where C > 0", "F", "share of the area", false, false, {}};
   io::Panel step{"What is left of the steps", "F", "step in F, over 0.001", false, true, {}};
-  velocity.key = "bottom right";
-  negative.key = "top left";
-  step.key = "bottom right";
   return {"loading_paths",
-          "Up the loading: by arclength and with the primal-dual tangent as lines, natural "
-          "continuation as points on them, folds ringed.",
+          "The cylinder up the loading F = φρgD/p_ext, " + mesh +
+              ": by arclength and with the primal-dual tangent as lines, natural continuation as "
+              "points on them. ",
           {velocity, negative, ill_posed, step},
           2};
 }
@@ -106,9 +104,10 @@ void cylinder_paths(Chapter& chapter, const Context& context) {
                    {"law", "F", "U", "drag", "smallest p", "share p < 0", "share C > 0",
                     "share yielded", "folds", "step"},
                    {}};
-  io::Figure figure = empty_figure();
+  io::Figure figure = empty_figure(mesh);
   std::string endings;
   const std::vector<Sweep> all = sweeps();
+  int folds = 0, arrived = 0;
   std::size_t done = 0;
   for (const Sweep& sweep : all) {
     const Followed f = follow(sweep, around, context.full ? 250 : 35);
@@ -120,6 +119,8 @@ void cylinder_paths(Chapter& chapter, const Context& context) {
     if (!sweep.is_natural()) add_rows(shares, sweep, f);
     add_curves(figure, sweep, f);
     judge_sweep(chapter, sweep, f);
+    folds += f.folds();
+    arrived += f.arrived() ? 1 : 0;
     endings += (endings.empty() ? "" : "; ") + how_it_ended(sweep, f);
     context.progress(static_cast<double>(++done) / static_cast<double>(all.size()));
   }
@@ -138,6 +139,10 @@ void cylinder_paths(Chapter& chapter, const Context& context) {
   std::ranges::stable_partition(figure.panels[0].curves, [](const io::Curve& curve) {
     return curve.style == io::Style::line;
   });
+  figure.caption += folds > 0 ? "Rings: folds." : "No fold was passed.";
+  chapter.answer(std::to_string(arrived) + " of " + std::to_string(all.size()) +
+                 " sweeps up the loading arrive where they were sent; " + std::to_string(folds) +
+                 " folds are passed on the way.");
   chapter.figure(std::move(figure));
   chapter.table(std::move(shares));
 }

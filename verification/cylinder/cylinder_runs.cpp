@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "common/solve/stopwatch.hpp"
 #include "verification/harness/methods.hpp"
@@ -32,6 +33,21 @@ solve::PathOptions path_options(int max_points) {
   return options;
 }
 
+// Solves a loading from rest down to round-off: as creep if that is tried, and where it fails along
+// a path in λr.
+bool reach(twod::CylinderFlow& cylinder, double loading, twod::CylinderFlow::State& state,
+           bool tries_creep, twod::Continuation continuation) {
+  if (tries_creep && solve::is_success(twod::solve_creep(cylinder, loading, state).end))
+    return true;
+  const auto path = twod::solve_from_rest(cylinder, loading, continuation);
+  state = path.next.state;
+  state.stress.clear();  // the path's own
+  const solve::NewtonOptions options{.tolerance = 1e-13,
+                                     .line_search = solve::LineSearch::residual_norm};
+  return path.end == solve::PathEnd::target_reached &&
+         solve::is_success(solve::newton(cylinder.flow(), state, options).end);
+}
+
 }  // namespace
 
 twod::Cylinder cylinder_around(int around, const rheology::Regularisation& law) {
@@ -54,27 +70,38 @@ Creep creep_at(const twod::Cylinder& scene, double loading) {
   twod::CylinderFlow::State state;
   // With an open outlet there are several flows: the one that arclength leads to is compared.
   const bool is_open = scene.open_outlet != mixed::Open::no;
-  solve::End end =
-      is_open ? solve::End::stagnated : twod::solve_creep(cylinder, loading, state).end;
-  if (!solve::is_success(end)) {
-    const auto path = twod::solve_from_rest(
-        cylinder, loading,
-        is_open ? twod::Continuation::arclength : twod::Continuation::primal_dual);
-    state = path.next.state;
-    if (path.end == solve::PathEnd::target_reached)
-      end = solve::newton(cylinder.flow(), state,
-                          {.tolerance = 1e-13, .line_search = solve::LineSearch::residual_norm})
-                .end;
-  }
+  const bool is_reached =
+      reach(cylinder, loading, state, !is_open,
+            is_open ? twod::Continuation::arclength : twod::Continuation::primal_dual);
   Creep creep;
   creep.factorisations = cylinder.flow().factorisations();
   creep.seconds = watch.seconds();
   creep.elements = cylinder.space().element_count();
-  if (solve::is_success(end))
-    creep.measures = twod::measure(cylinder, state);
-  else
-    creep.measures = not_measured();
+  creep.measures = is_reached ? twod::measure(cylinder, state) : not_measured();
   return creep;
+}
+
+std::size_t Flows::index_of(double loading) const {
+  for (std::size_t i = 0; i < measures.size(); ++i)
+    if (measures[i].loading == loading) return i;
+  throw std::out_of_range("no flow at F = " + std::to_string(loading));
+}
+
+Flows flows_at(const twod::Cylinder& scene, const std::vector<double>& loadings,
+               const std::function<void(double)>& progress) {
+  Flows flows{std::make_unique<twod::CylinderFlow>(scene), {}, {}, 0};
+  twod::CylinderFlow& cylinder = *flows.cylinder;
+  for (const double loading : loadings) {
+    twod::CylinderFlow::State& state = flows.states.emplace_back();
+    const bool is_reached = reach(cylinder, loading, state, twod::may_creep(scene, loading),
+                                  twod::Continuation::primal_dual);
+    if (!is_reached) state = {};
+    flows.measures.push_back(is_reached ? twod::measure(cylinder, state) : not_measured());
+    flows.measures.back().loading = loading;
+    progress(static_cast<double>(flows.states.size()) / static_cast<double>(loadings.size()));
+  }
+  flows.factorisations = cylinder.flow().factorisations();
+  return flows;
 }
 
 twod::CylinderMeasures Followed::last() const {

@@ -1,6 +1,8 @@
 // Runs of the cylinder that the studies share: creep, and paths past yield.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,20 @@ struct Creep {
   double seconds = 0;  ///< CPU time, set-up included
 };
 Creep creep_at(const twod::Cylinder& scene, double loading);
+
+/// Flows at several loadings on one mesh: each without a path where it creeps, else down in λr.
+struct Flows {
+  std::unique_ptr<twod::CylinderFlow> cylinder;
+  std::vector<twod::CylinderMeasures> measures;   ///< one a loading; NaN if it was not reached
+  std::vector<twod::CylinderFlow::State> states;  ///< of the same; empty if it was not reached
+  int factorisations = 0;
+
+  /// Of these loadings. Throws std::out_of_range if it is none of them.
+  std::size_t index_of(double loading) const;
+};
+Flows flows_at(
+    const twod::Cylinder& scene, const std::vector<double>& loadings,
+    const std::function<void(double fraction)>& progress = [](double) {});
 
 /// A path, point by point.
 struct Followed {

@@ -66,7 +66,7 @@ part() {  # STUDY/PART [--full]: made once; its tables and checks are the files 
   local folder=$work/parts/${1//\//_}${2:-}
   [ -d "$folder" ] || { mkdir -p "$folder"; verify "$@" --output "$folder" >"$folder.out" 2>&1
                          note_refusal $? "verify $*" "$folder.out"; }
-  tables=$(echo "$folder"/*/)
+  tables=$folder/$1/
 }
 held() {  # STUDY/PART TEXT: how many checks that have this text in them hold; none if one does not
   part "$1" >/dev/null
@@ -74,19 +74,19 @@ held() {  # STUDY/PART TEXT: how many checks that have this text in them hold; n
     grep -F -- "$2" |
     awk '/,yes$/ { ++held } !/,yes$/ { ++failed } END { print failed ? "not" : held + 0 }'
 }
-task() {  # EXERCISE N: what the code of its task N prints; the tasks before it come first
+task() {  # SHEET N: what the code of its task N prints; the tasks before it come first
   local tasks=$work/tasks/$1
   if [ ! -d "$tasks" ]; then
     mkdir -p "$tasks"
     awk -v folder="$tasks" '
-      /^## Tasks/ { started = 1 }
-      /^## Questions/ { started = 0; task = "end" }
+      /^## / && started { started = 0; task = "end" }
+      /^## Run/ { started = 1 }
       started && /^[0-9]+\. / { task = $1 + 0 }
       started && !in_code && /`cylinder [^`]*`/ {  # a command within a line
         split($0, parts, "`"); print parts[2] > (folder "/" task ".sh") }
       /^ *```/ { in_code = !in_code; next }
       in_code && !started && task == "" && !/run build|^PATH=/ { print > (folder "/0.sh") }
-      in_code && started { print > (folder "/" task ".sh") }' "$root/docs/exercises/$1"
+      in_code && started { print > (folder "/" task ".sh") }' "$root/docs/course/$1"
     (
       cd "$tasks" || exit
       touch 0.sh

@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(a_line_is_drawn_from_its_seed_kind_and_number_alone) {
   std::set<std::vector<std::string>> lines;
   for (int i = 0; i < 50; ++i)
     lines.insert({line(1, "commands", i), line(2, "commands", i), line(1, "cross", i)});
-  BOOST_TEST(lines.size() > 120);
+  BOOST_TEST(lines.size() > 100);  // all that there are if seed or kind did not count
 }
 
 BOOST_AUTO_TEST_CASE(a_script_can_be_pasted_into_a_shell) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "common/io/figure.hpp"
 #include "common/io/table.hpp"
 #include "oned/shear_scene.hpp"
+#include "verification/harness/given_curves.hpp"
 #include "verification/harness/reference.hpp"
 
 namespace talus::verification {
@@ -21,15 +23,42 @@ struct Check {
   bool passed() const { return value >= lower && value <= upper; }
 };
 
+/// What the front page of the report asks.
+enum class Question { speed_against_accuracy, where_methods_fail, which_model, flows };
+
+/// A figure that answers one of them, and what it shows, in a sentence made from its numbers.
+struct Headline {
+  Question question;
+  io::Figure figure;
+  std::string sentence;
+};
+
+/// How solves of a kind end: the names of the ends and how many met each, `arrival` among them.
+struct Ends {
+  std::string of;              ///< scene and model
+  bool is_recommended = true;  ///< or a way with something missing
+  std::map<std::string, int> counts = {};
+};
+inline constexpr const char* arrival = "arrives";
+
 /// A chapter of the report, or what a part of a study adds to it.
 struct Chapter {
   std::string name, title;
   std::vector<std::variant<std::string, io::Table, io::Figure>> blocks;  ///< text, tables, figures
   std::vector<Check> checks;
+  std::vector<std::string> answers = {};  ///< to its question, from what was computed
+  std::vector<Headline> headlines = {};
+  std::vector<Ends> ends = {};  ///< counted together with those of other parts
 
   void text(std::string paragraph) { blocks.emplace_back(std::move(paragraph)); }
   void table(io::Table table) { blocks.emplace_back(std::move(table)); }
   void figure(io::Figure figure) { blocks.emplace_back(std::move(figure)); }
+  void answer(std::string sentence) { answers.push_back(std::move(sentence)); }
+  /// Its first place is the front page of the report; the sentence is an answer of the chapter too.
+  void headline(Question question, io::Figure figure, std::string sentence) {
+    answer(sentence);
+    headlines.push_back({question, std::move(figure), std::move(sentence)});
+  }
   /// A number within the uncertainty of another's.
   bool check(const std::string& what, double value, const Reference& reference) {
     return check(reference.kind, what + " (" + reference.source + ")", value,
@@ -47,10 +76,11 @@ struct Chapter {
   }
 };
 
-/// How much a part does, and whom it tells how far it is.
+/// How much a part does, whom it tells how far it is, and what the user gave to be drawn.
 struct Context {
   bool full = false;
   std::function<void(double fraction)> progress = [](double) {};
+  std::vector<GivenCurve> given = {};
 };
 
 /// CPU minutes that a part takes, measured on `measured_on`.
@@ -70,7 +100,8 @@ struct Part {
 
 struct Study {
   std::string name, question;
-  std::vector<Part> parts;  ///< in the order of the report
+  std::vector<Part> parts;                    ///< in the order of the report
+  std::vector<OpenFigure> open_figures = {};  ///< those in which --data is drawn
 
   /// STUDY or STUDY/PART: what `verify` calls it, and the folder of its files.
   std::string name_of(const Part& part) const {

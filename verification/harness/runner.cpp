@@ -200,8 +200,8 @@ std::vector<Written> run_studies(const std::vector<Study>& studies, const RunOpt
     const std::size_t beside =
         jobs[i].part.is_timing ? 0 : static_cast<std::size_t>(options.jobs) - 1;
     while (running.count() > beside) wait_for_one();
-    const Context context{options.full,
-                          [&fractions, i](double fraction) { fractions[i] = fraction; }};
+    const Context context{
+        options.full, [&fractions, i](double fraction) { fractions[i] = fraction; }, options.given};
     running.add(start(jobs[i], context, folder_of(jobs[i])), i);
   }
   while (running.count() > 0) wait_for_one();

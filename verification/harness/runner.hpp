@@ -11,7 +11,8 @@ using Report = std::function<void(const std::string& running, double done)>;
 
 struct RunOptions {
   bool full = false;
-  int jobs = 2;  ///< parts at a time
+  int jobs = 2;                        ///< parts at a time
+  std::vector<GivenCurve> given = {};  ///< to be drawn beside ours
 };
 
 /// As many parts at a time as the machine has cores, at most two: what a part solves by turns

@@ -6,7 +6,7 @@
 
 namespace talus::verification {
 
-/// Mesh error and λr error told apart, work over the angles, the paper's flow rates.
+/// Mesh error and λr error told apart, work over the angles.
 void heap_study(Chapter& chapter, const Context& context);
 
 /// Mesh error without λr: what no slip costs on uniform meshes, and two ways around it. What is

@@ -6,6 +6,7 @@
 
 #include "common/program/model_choice.hpp"
 #include "common/solve/extremes.hpp"
+#include "verification/harness/fit.hpp"
 #include "verification/ladder/ladder.hpp"
 
 namespace talus::verification {
@@ -102,10 +103,8 @@ void recommend(Chapter& chapter, const std::vector<Rung>& rungs) {
 
 // CPU time and memory of the last case of each rung that both solve from the same start.
 io::Figure costs(const std::vector<Rung>& rungs) {
-  io::Panel time{"CPU time", "unknowns", "CPU seconds", true,
-                 true,       {},         std::nullopt,  "bottom right"};
-  io::Panel memory{"Memory", "unknowns", "bytes of factors", true,
-                   true,     {},         std::nullopt,       "bottom right"};
+  io::Panel time{"CPU time", "unknowns", "CPU seconds", true, true, {}};
+  io::Panel memory{"Memory", "unknowns", "bytes of factors", true, true, {}};
   for (const Rung& rung : rungs) {
     const RungCase& largest = rung.largest();
     const auto add = [&](io::Panel& panel, double ModelCost::*cost) {
@@ -119,9 +118,46 @@ io::Figure costs(const std::vector<Rung>& rungs) {
     add(memory, &ModelCost::factor_bytes);
   }
   return {"costs",
-          "What a richer model of the same scene costs for the same answer.",
+          "What a richer model of the same scene costs for the same answer: of each rung the last "
+          "case of its table that both solve from the same start, poorer and richer.",
           {time, memory},
           2};
+}
+
+// How far richer models lie from the poorest of their scene, against what they cost.
+void add_headline(Chapter& chapter, const std::vector<Rung>& rungs) {
+  constexpr double needed = 1e-9;  // as program::recommendation asks for
+  io::Panel panel{
+      "", "CPU time, times that of the poorer model", "distance of flows, relative", true, true,
+      {}};
+  Range distances, times;
+  std::size_t enough = 0;
+  for (const Rung& rung : rungs) {
+    panel.curves.push_back({rung.scene + ": " + rung.poorer + " to " + rung.richer,
+                            {rung.times_cpu()},
+                            {std::max(rung.farthest(), 1e-16)},
+                            io::Style::points});
+    distances.add(rung.farthest());
+    times.add(rung.times_cpu());
+    if (rung.farthest() < needed) ++enough;
+  }
+  panel.curves.push_back(
+      {"nine digits", {1, 2 * times.upper()}, {needed, needed}, io::Style::dashed});
+  std::string sentence = std::to_string(enough) + " of " + std::to_string(rungs.size()) +
+                         " richer models give the flow of the poorer one to nine digits (at most " +
+                         known(distances.upper(), 2) + " apart) for " + times.text(3) +
+                         " times the CPU time";
+  sentence += enough == rungs.size() ? ": no scene here needs more than its poorest model."
+                                     : ": the others are needed.";
+  chapter.headline(Question::which_model,
+                   {"models",
+                    "Largest distance (velocity, cross-flow, pressure) of a richer model's flow "
+                    "from that of the poorer one on the same elements, over all laws, λr and "
+                    "meshes of the tables below, against what the richer one takes. Below the "
+                    "line the poorer model will do.",
+                    {panel},
+                    1},
+                   sentence);
 }
 
 void check(Chapter& chapter, const Rung& rung) {
@@ -154,6 +190,7 @@ void ladder_study(Chapter& chapter, const Context& context) {
                 "negative control: cylinder with one loading larger by 1e-7, velocities apart",
                 cylinder_apart_with_force_times(1 + 10 * force), 20 * target, 1e-5);
 
+  add_headline(chapter, rungs);
   recommend(chapter, rungs);
   chapter.table(overview(rungs));
   chapter.figure(costs(rungs));

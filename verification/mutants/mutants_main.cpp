@@ -72,6 +72,7 @@ void write_results(const io::ResultFolder& folder, const std::string& command,
     chapter.table(survivors);
   chapter.table(each);
   verification::write_chapter_files(io::ResultFolder(folder.path() / study.name), chapter, true, 0);
+  verification::write_assets(folder);
   folder.write("index.html",
                verification::html_page(
                    "Mutants", command,

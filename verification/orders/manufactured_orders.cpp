@@ -79,7 +79,7 @@ void add_curves(io::Figure& figure, std::size_t first_panel, const std::string& 
 void add_guides(io::Figure& figure, std::size_t first_panel) {
   for (std::size_t i = 0; i < flow_norms.size(); ++i) {
     const io::Curve& first = figure.panels[first_panel + i].curves.front();
-    io::Curve guide{"order " + io::rounded(flow_norms[i].order), first.x, {}, io::Style::dashed};
+    io::Curve guide{"order " + io::rounded(flow_norms[i].order), first.x, {}, io::Style::slope};
     for (const double h : first.x)
       guide.y.push_back(0.4 * first.y.front() * std::pow(h / first.x.front(), flow_norms[i].order));
     figure.panels[first_panel + i].curves.push_back(guide);
@@ -113,7 +113,8 @@ void families_of_meshes(Chapter& chapter, const std::vector<MeshFamily<2>>& fami
       "Velocity-pressure flow: fitted orders (3, 2, 2) and errors on the finest mesh", header, {}};
   io::Figure figure{
       "orders_manufactured",
-      "Errors of manufactured flows against element size, under eq. (12) unless a law is named. "
+      "Errors of manufactured flows in the plane against element size, under eq. (12) unless a law "
+      "is named. "
       "With the "
       "pressure mapped from the reference element the order of p should be lost where "
       "elements stay distorted, and with it that of u.",
@@ -122,8 +123,12 @@ void families_of_meshes(Chapter& chapter, const std::vector<MeshFamily<2>>& fami
   for (const auto& exact : mixed::manufactured_flows<2>()) {
     const std::size_t first_panel = figure.panels.size();
     for (const FlowNorm& norm : flow_norms) {
-      io::Panel panel{exact.name + ": " + norm.name, "h", "error", true, true, {}};
-      panel.key = "bottom right";
+      io::Panel panel{exact.name + ": " + norm.name,
+                      "h, size of the elements over that of the domain",
+                      "error, in the units of the flow",
+                      true,
+                      true,
+                      {}};
       figure.panels.push_back(panel);
     }
     for (const auto& family : families)
@@ -154,6 +159,7 @@ void plane_orders(Chapter& chapter, const Context& context) {
   if (context.full) sizes.push_back(40);
   const auto families = mesh_families(sizes);
   families_of_meshes(chapter, families, context);
+  answer_orders(chapter, "In the plane", Kind::manufactured);
   chapter.text(
       "Velocity and pressure are prescribed as smooth functions, and the body force that makes "
       "them a solution follows from automatic differentiation; one side carries the exact "
@@ -185,6 +191,7 @@ void space_orders(Chapter& chapter, const Context& context) {
     }
   check_mapped_pressure<3>(chapter, table, {flows.back(), rheology::ChauchatMedale{}, 1},
                            brick_family({2, 4, 6}), 0.5, 2 - 2 * order_tolerance);
+  answer_orders(chapter, "In space", Kind::manufactured);
   chapter.table(std::move(table));
 }
 

@@ -9,6 +9,9 @@ namespace talus::verification {
 void orders_of(Chapter& chapter, const std::vector<oned::ShearScene>& scenes,
                const Context& context);
 
+/// The chapter's answer: how far the orders it has checked, of that kind, are from those of theory.
+void answer_orders(Chapter& chapter, const std::string& where, Kind kind);
+
 /// That of every scene on a line, and the error on the graded mesh.
 void line_orders(Chapter& chapter, const Context& context);
 

@@ -66,10 +66,11 @@ struct Norm {
   std::string name;
   double oned::Errors::*error;
   double oned::Orders::*order;
+  std::string unit = "error / sqrt(gd)";
 };
 
 const std::vector<Norm> norms = {
-    {"L2", &oned::Errors::l2, &oned::Orders::l2},
+    {"L2", &oned::Errors::l2, &oned::Orders::l2, "error / (d sqrt(g))"},
     {"maximum", &oned::Errors::max, &oned::Orders::max},
     {"nodal maximum", &oned::Errors::nodal_max, &oned::Orders::nodal_max},
     {"paper's RMS", &oned::Errors::paper_rms, &oned::Orders::paper_rms}};
@@ -97,7 +98,7 @@ void fit_orders(Chapter& chapter, io::Table& table, const std::string& label,
 }
 
 io::Panel panel_of(const std::string& title, const Norm& norm) {
-  return {title + ": " + norm.name, "h / d", "error", true, true, {}, std::nullopt, "bottom right"};
+  return {title + ": " + norm.name, "h / d", norm.unit, true, true, {}};
 }
 
 void add_curves(io::Panel& panel, const std::string& label, const Family& family,
@@ -122,7 +123,7 @@ void add_guide(io::Panel& panel, const oned::OrderCase& order_case, const Family
                const Norm& norm) {
   if (!order_case.expected) return;
   const double order = (*order_case.expected).*norm.order;
-  io::Curve guide{"order " + io::rounded(order, 3), {}, {}, io::Style::dashed};
+  io::Curve guide{"order " + io::rounded(order, 3), {}, {}, io::Style::slope};
   for (const Measured& each : reference) {
     guide.x.push_back(each.h);
     guide.y.push_back(0.4 * reference.front().error.*norm.error *
@@ -210,6 +211,18 @@ void study_case(Chapter& chapter, io::Table& table, io::Figure& figure,
 
 }  // namespace
 
+void answer_orders(Chapter& chapter, const std::string& where, Kind kind) {
+  double farthest = 0;
+  int count = 0;
+  for (const Check& each : chapter.checks) {
+    if (each.kind != kind || each.what.find("order ") == std::string::npos) continue;
+    farthest = solve::nan_max(farthest, std::abs(each.value - (each.lower + each.upper) / 2));
+    ++count;
+  }
+  chapter.answer(where + " the " + std::to_string(count) + " fitted orders are within " +
+                 known(farthest, 2) + " of theory.");
+}
+
 void orders_of(Chapter& chapter, const std::vector<oned::ShearScene>& scenes,
                const Context& context) {
   chapter.text(
@@ -237,7 +250,7 @@ void orders_of(Chapter& chapter, const std::vector<oned::ShearScene>& scenes,
   for (const auto& scene : scenes) {
     all.push_back({scene, tending_to_eq_4(), "orders_" + scene.name,
                    "The interior point has no λr and so no floor; a regularised law leaves the "
-                   "mesh order where λr takes over (ringed points are left out of the fits)."});
+                   "mesh order where λr takes over."});
     for (const NamedMethod& method : newton_methods(1e-14))
       if (!has_yield_stress(method))
         all.push_back({scene_for(scene, method), tending_to_limit_of(method),
@@ -249,7 +262,9 @@ void orders_of(Chapter& chapter, const std::vector<oned::ShearScene>& scenes,
   for (const Drawn& each : all) {
     const oned::ShearScene& scene = each.scene;
     io::Figure figure{each.figure,
-                      "Errors of the " + scene.title + " against element size. " + each.caption,
+                      "Errors of the " + scene.title +
+                          " on a line against element size, methods and λr in the key. " +
+                          each.caption,
                       {},
                       2};
     for (oned::OrderCase order_case : scene.order_cases) {
@@ -257,6 +272,12 @@ void orders_of(Chapter& chapter, const std::vector<oned::ShearScene>& scenes,
       study_case(chapter, table, figure, scene, order_case, each.compared);
       context.progress(static_cast<double>(++done) / static_cast<double>(cases));
     }
+    const bool has_rings = std::ranges::any_of(figure.panels, [](const io::Panel& panel) {
+      return std::ranges::any_of(panel.curves, [](const io::Curve& curve) {
+        return curve.style == io::Style::rings && !curve.x.empty();
+      });
+    });
+    if (has_rings) figure.caption += " Rings: left out of the fits.";
     chapter.figure(std::move(figure));
   }
   chapter.table(std::move(table));
@@ -271,6 +292,7 @@ void line_orders(Chapter& chapter, const Context& context) {
                    newton_method(rheology::ChauchatMedale{}, bagnold.lambda_r).options);
   chapter.check(Kind::exact, "bagnold, graded (exponent 2), 160 elements: L2 error",
                 oned::errors(solution, bagnold).l2, 0.9 * 2.5e-8, 1.1 * 2.5e-8);
+  answer_orders(chapter, "On a line", Kind::exact);
 }
 
 }  // namespace talus::verification

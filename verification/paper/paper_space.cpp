@@ -101,8 +101,8 @@ Comparison compare(const oned::ShearScene& scene, double lambda_r, const std::st
 
 }  // namespace
 
-void add_space(Chapter& chapter, io::Table& findings, const oned::ShearScene& chute,
-               const oned::ShearScene& bagnold) {
+void add_space(PaperPage& page, const oned::ShearScene& chute, const oned::ShearScene& bagnold) {
+  Chapter& chapter = page.chapter();
   constexpr double together = 1e-10;
   Comparison plane =
       compare(bagnold, 1e-8, "Table 1 in three dimensions: Newton iterations from rest, λr = 1e-8",
@@ -133,15 +133,15 @@ void add_space(Chapter& chapter, io::Table& findings, const oned::ShearScene& ch
   agrees &= chapter.check(Kind::publication,
                           "Fig. 7 in 3D: order in the maximum norm on the four coarsest meshes",
                           nodal, 1.4, 1.6);
-  add_finding(findings, "Fig. 7 in 3D", "2.46 and 1.5",
-              io::fixed(rms, 2) + " and " + io::fixed(nodal, 2) + "; true L2 " +
-                  io::fixed(fitted_order(plane.l2.x, plane.l2.y), 2),
-              agrees,
-              "as in 1D, for the velocities are the same to " + io::rounded(plane.farthest, 1));
-  add_finding(findings, "Table 1 in 3D", "10 000 iterations on the two coarsest meshes",
-              "at most " + io::rounded(plane.most_iterations) +
-                  " on all six, with the paper's penalty, full steps and a plain double too",
-              is_refuted, "not reproduced in three dimensions either");
+  page.item("Fig. 7 in 3D", "2.46 and 1.5",
+            io::fixed(rms, 2) + " and " + io::fixed(nodal, 2) + "; true L2 " +
+                io::fixed(fitted_order(plane.l2.x, plane.l2.y), 2),
+            agrees,
+            "as in 1D, for the velocities are the same to " + io::rounded(plane.farthest, 1));
+  page.item("Table 1 in 3D", "10 000 iterations on the two coarsest meshes",
+            "at most " + io::rounded(plane.most_iterations) +
+                " on all six, with the paper's penalty, full steps and a plain double too",
+            is_refuted, "not reproduced in three dimensions either");
   chapter.text(
       "The same scenes once more in velocity and pressure on H27 elements, one element thick along "
       "the stream and between the planes of symmetry: the paper's meshes, with its numbers of "
@@ -161,9 +161,7 @@ void add_space(Chapter& chapter, io::Table& findings, const oned::ShearScene& ch
                     "error",
                     true,
                     true,
-                    {plane.rms, plane.nodal, plane.l2},
-                    std::nullopt,
-                    "bottom right"}},
+                    {plane.rms, plane.nodal, plane.l2}}},
                   1});
 }
 

@@ -37,16 +37,18 @@ class Comparison {
       curve = curves_.insert(curve, {theirs.source, {}, {}, io::Style::points});
     curve->x.push_back(static_cast<double>(row));
     curve->y.push_back(std::abs(ours - theirs.value) / theirs.uncertainty);
+    curve->commands.push_back("./run " + command);
   }
 
   void show() {
     io::Panel panel{table_.title, "row of the table", "distance / room", false, true, curves_};
-    panel.key = "above vertical";
-    chapter_.figure({"references_" + name_,
-                     "How far ours is from theirs, in units of what theirs is good for: at 1 a "
-                     "check fails.",
-                     {panel},
-                     1});
+    chapter_.figure(
+        {"references_" + name_,
+         "How far ours is from theirs, scene, law, mesh and λr as in the commands of the "
+         "table, in units of what theirs is good for: at 1 a "
+         "check fails.",
+         {panel},
+         1});
     chapter_.table(std::move(table_));
   }
 

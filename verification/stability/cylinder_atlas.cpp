@@ -122,22 +122,22 @@ std::vector<LambdaPath> paths(const Context& context) {
 
 // A panel for each law, in the order of the paths.
 void draw(Chapter& chapter, const std::vector<LambdaPath>& paths) {
-  io::Figure maps{"cylinder_atlas",
-                  "How far paths in λr come at F = 0.054 (rows: way and elements around; grey: not "
-                  "reached). Colour: factorisations in a half decade of λr; 2f: two folds passed; "
-                  "×: given up there.",
-                  {},
-                  2};
-  io::Figure lines{"cylinder_lambda_paths",
-                   "Mean velocity at F = 0.054 as the regularisation is taken away, arclength "
-                   "continuation; folds ringed.",
-                   {},
-                   2};
+  io::Figure maps{
+      "cylinder_atlas",
+      "How far paths in λr around the cylinder come at F = 0.054 (rows: way and elements "
+      "around; grey: not reached). Colour: factorisations in a half decade of λr.",
+      {},
+      2};
+  io::Figure lines{
+      "cylinder_lambda_paths",
+      "Mean velocity of the cylinder at F = 0.054 as the regularisation is taken away, "
+      "arclength continuation, on the meshes of the key.",
+      {},
+      2};
   for (const auto& law : laws_of_paths()) {
     const std::string name = rheology::name_of(law);
     io::Panel map{name, "λr", "way, elements around", false, false, {}, empty_map()};
-    io::Panel panel{name, "λ_r", "U", true, false, {}};
-    panel.key = "top left";
+    io::Panel panel{name, "λr", "U / sqrt(p_ext / φρ)", true, false, {}};
     io::Curve folds{"folds", {}, {}, io::Style::rings};
     for (const LambdaPath& path : paths) {
       if (rheology::name_of(path.law) != name) continue;
@@ -151,8 +151,28 @@ void draw(Chapter& chapter, const std::vector<LambdaPath>& paths) {
     maps.panels.push_back(std::move(map));
     lines.panels.push_back(std::move(panel));
   }
+  const bool has_folds =
+      std::ranges::any_of(paths, [](const auto& p) { return p.followed.folds() > 0; });
+  const bool has_losses =
+      std::ranges::any_of(paths, [](const auto& p) { return !p.followed.arrived(); });
+  if (has_folds) {
+    maps.caption += " 2f: two folds passed.";
+    lines.caption += " Rings: folds.";
+  }
+  if (has_losses) maps.caption += " ×: given up there.";
   chapter.figure(std::move(maps));
   chapter.figure(std::move(lines));
+}
+
+// Primal-dual is the way that is recommended.
+void count_ends(Chapter& chapter, const std::vector<LambdaPath>& paths) {
+  for (const WayDown& way : ways_down()) {
+    Ends ends{"cylinder, plane", way.label == ways_down()[1].label};
+    for (const LambdaPath& path : paths)
+      if (path.way.label == way.label)
+        ++ends.counts[path.followed.arrived() ? arrival : solve::name_of(path.followed.end)];
+    if (!ends.counts.empty()) chapter.ends.push_back(std::move(ends));
+  }
 }
 
 void tabulate(Chapter& chapter, const std::vector<LambdaPath>& paths) {
@@ -222,6 +242,7 @@ void judge_atlas(Chapter& chapter, const std::vector<LambdaPath>& paths) {
 void cylinder_atlas(Chapter& chapter, const Context& context) {
   const std::vector<LambdaPath> all = paths(context);
   judge_atlas(chapter, all);
+  count_ends(chapter, all);
   draw(chapter, all);
   tabulate(chapter, all);
 }

@@ -37,6 +37,11 @@ void add_map(Chapter& chapter, const MapQuestion& question) {
   }
   std::vector<const study::Row*> all = study::all_rows(answer), broken;
   std::ranges::copy_if(all, std::back_inserter(broken), has_broken_tangent);
+  const bool is_recommended = question.least == 1;
+  Ends ends{question.title.substr(0, question.title.find(", ", question.title.find(", ") + 1)),
+            is_recommended};
+  for (const study::Row* row : all) ++ends.counts[row->is_success() ? arrival : row->status()];
+  chapter.ends.push_back(std::move(ends));
   chapter.check(Kind::self_consistency, question.title + ": share of the cases that arrives",
                 share_of_arrivals(all), question.least, question.most);
   if (!broken.empty())

@@ -102,8 +102,9 @@ void limits(Chapter& chapter, const Context& context) {
       "rest where a stress in equilibrium stays within yield.");
   io::Figure figure{
       "limits",
-      "Largest velocity against the load. Where there is no exact curve the points are "
-      "creep (side of rest) or numbers without a flow (fast side).",
+      "Largest velocity of each scene on a line against its load, Newton under eq. (12). Where "
+      "there is no exact curve the points are creep (side of rest) or numbers without a flow "
+      "(fast side).",
       {},
       2};
   io::Table table{
@@ -113,8 +114,7 @@ void limits(Chapter& chapter, const Context& context) {
       {}};
   const int loads = context.full ? 161 : 81;
   for (const auto& scene : oned::scenes()) {
-    io::Panel panel{scene.name, scene.load.symbol, "largest velocity", false, true,
-                    {},         std::nullopt,      "top center"};
+    io::Panel panel{scene.name, scene.load.symbol, "largest velocity / sqrt(gd)", false, true, {}};
     io::Curve exact{"exact", {}, {}, io::Style::line};
     for (int i = 0; i < 4 * loads; ++i) {
       const double load =

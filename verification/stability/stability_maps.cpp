@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "verification/harness/methods.hpp"
 #include "verification/stability/line_answer.hpp"
@@ -37,6 +38,18 @@ char mark_of(solve::End end) {
       return 'M';
   }
   return '?';
+}
+
+// Of the ends that a figure shows: " Unmarked cells converged. S: stagnated."
+std::string meaning_of_marks(const std::set<solve::End>& ends) {
+  std::string text = " Unmarked cells converged.";
+  for (const solve::End end : ends) {
+    if (end == solve::End::converged) continue;
+    std::string name = solve::name_of(end);
+    std::ranges::replace(name, '_', ' ');
+    text += std::string(" ") + mark_of(end) + ": " + name + ".";
+  }
+  return text + (std::ranges::all_of(ends, solve::is_success) ? "" : " Grey: no success.");
 }
 
 // Distances are in the maximum norm.
@@ -199,16 +212,19 @@ void maps(Chapter& chapter, const Context& context) {
     const int most_elements = context.full ? 5120 : 1280;
     const References certified = references_for(scene, reference_method(), most_elements);
     io::Figure ours{"maps_" + scene.name,
-                    "Newton iterations from rest over λr and the number of elements; unmarked "
-                    "cells converged, f: at the round-off floor.",
+                    "The " + scene.title +
+                        " on a line: Newton iterations from rest over λr and the number of "
+                        "elements.",
                     {},
                     2};
     io::Figure less{"maps_less_" + scene.name,
-                    "The same with one thing taken away. f: at the round-off floor, S: stagnated, "
-                    "L: line search failed, X: linear solver failed, N: not finite, U: no steady "
-                    "state.",
+                    "The " + scene.title +
+                        " on a line under eq. (12), with one thing taken away: Newton iterations "
+                        "from rest.",
                     {},
                     2};
+    std::set<solve::End> usual_ends, changed_ends;
+    Ends usual{scene.name + ", line"}, changed{scene.name + ", line", false};
     for (const auto& [method, recommended] : variants) {
       const MapResult result =
           has_yield_stress(method)
@@ -220,6 +236,9 @@ void maps(Chapter& chapter, const Context& context) {
       std::string ends;
       for (const auto& [end, count] : result.ends) {
         ends += (ends.empty() ? "" : ", ") + solve::name_of(end) + " " + std::to_string(count);
+        (recommended ? usual_ends : changed_ends).insert(end);
+        (recommended ? usual : changed)
+            .counts[solve::is_success(end) ? arrival : solve::name_of(end)] += count;
       }
       table.rows.push_back({scene.name, method.label, std::to_string(result.cells), ends,
                             std::to_string(result.most_iterations),
@@ -247,6 +266,10 @@ void maps(Chapter& chapter, const Context& context) {
       context.progress(static_cast<double>(++done) /
                        static_cast<double>(scenes.size() * variants.size()));
     }
+    chapter.ends.push_back(std::move(usual));
+    chapter.ends.push_back(std::move(changed));
+    ours.caption += meaning_of_marks(usual_ends);
+    less.caption += meaning_of_marks(changed_ends);
     chapter.figure(std::move(ours));
     chapter.figure(std::move(less));
   }

@@ -92,7 +92,7 @@ std::string Table::title_of(const std::string& quantity) const {
 std::string Table::unit_of(const std::string& quantity) const {
   const json* known = program.quantity(quantity);
   const std::string unit = known ? known->at("unit") : "1";
-  return unit == "1" ? "" : "in " + unit;
+  return unit == "1" ? "dimensionless" : "in " + unit;
 }
 
 std::vector<Curve> curves_of(const Table& table, const std::vector<std::string>& without) {

@@ -70,6 +70,16 @@ io::Table mesh_by_mesh(const Table& table, const std::vector<Curve>& curves,
   return meshes;
 }
 
+// A triangle of the highest order in the panel, below the curve that has it.
+io::Curve slope_of(const io::Curve& curve, double order) {
+  const auto [finest, coarsest] = std::ranges::minmax_element(curve.x);
+  const double error = 0.4 * curve.y[static_cast<std::size_t>(coarsest - curve.x.begin())];
+  return {"order " + io::rounded(order, 3),
+          {*coarsest, *finest},
+          {error, error * std::pow(*finest / *coarsest, order)},
+          io::Style::slope};
+}
+
 }  // namespace
 
 Findings converge(Table& table) {
@@ -82,9 +92,13 @@ Findings converge(Table& table) {
   io::Table orders{"orders of convergence", {"error", "curve", "order", "points"}, {}};
   io::Figure figure{"errors", "", {}, static_cast<int>(std::min<std::size_t>(errors.size(), 2))};
   for (const std::string& error : errors) {
-    io::Panel panel{
-        table.title_of(error), "size of the elements", table.unit_of(error), true, true, {},
-        std::nullopt,          "bottom right"};
+    io::Panel panel{table.title_of(error),
+                    "size of the elements, in units of length",
+                    table.unit_of(error),
+                    true,
+                    true,
+                    {}};
+    std::pair<double, io::Curve> steepest{0, {}};
     for (const Curve& curve : curves) {
       io::Curve drawn{curve.label, {}, {}};
       for (const Row* row : curve.rows) {
@@ -92,6 +106,7 @@ Findings converge(Table& table) {
         if (!(size > 0) || !(value > 0)) continue;
         drawn.x.push_back(size);
         drawn.y.push_back(value);
+        drawn.commands.push_back(row->record.at("command"));
       }
       Fit fit = fitted(drawn.x, drawn.y);
       fit.quantity = error;
@@ -102,13 +117,15 @@ Findings converge(Table& table) {
                              std::isfinite(fit.order) ? io::rounded(fit.order, 4) : "none",
                              std::to_string(fit.points)});
       found.fits.push_back(fit);
+      if (fit.order > steepest.first) steepest = {fit.order, slope_of(drawn, fit.order)};
       panel.curves.push_back(drawn);
     }
+    if (steepest.first > 0) panel.curves.push_back(steepest.second);
     figure.panels.push_back(panel);
   }
-  figure.caption =
-      "Errors against the size of the elements. Orders are fitted over the last four "
-      "meshes on which the error still falls.";
+  figure.caption = "Errors of " + table.program.name() +
+                   " against the size of the elements. Orders are fitted over the last four "
+                   "meshes on which the error still falls.";
   found.chapter.figure(figure);
   found.chapter.table(orders);
   found.chapter.table(mesh_by_mesh(table, curves, errors));

@@ -29,14 +29,14 @@ Findings cost(Table& table) {
   const auto curves = curves_of(table, {table.mesh_option()});
   io::Figure figure{"cost", "", {}, static_cast<int>(std::min<std::size_t>(errors.size(), 2))};
   for (const std::string& error : errors) {
-    io::Panel panel{table.title_of(error), "CPU seconds", table.unit_of(error), true, true, {},
-                    std::nullopt,          "top right"};
+    io::Panel panel{table.title_of(error), "CPU seconds", table.unit_of(error), true, true, {}};
     for (const Curve& curve : curves) {
       io::Curve drawn{curve.label, {}, {}};
       for (const Row* row : curve.rows) {
         if (!(row->number(time) > 0) || !(row->number(error) > 0)) continue;
         drawn.x.push_back(row->number(time));
         drawn.y.push_back(row->number(error));
+        drawn.commands.push_back(row->record.at("command"));
       }
       panel.curves.push_back(drawn);
     }
@@ -50,6 +50,7 @@ Findings cost(Table& table) {
       });
       rings.x.push_back(row->number(time));
       rings.y.push_back(row->number(error));
+      rings.commands.push_back(row->record.at("command"));
       front.rows.push_back({io::rounded(row->number(error), 3), io::rounded(row->number(time), 3),
                             curve->label, row->option(table.mesh_option()),
                             row->record.at("command")});
@@ -59,7 +60,8 @@ Findings cost(Table& table) {
     figure.panels.push_back(panel);
     found.chapter.table(front);
   }
-  figure.caption = "Error against CPU time. Rings: no other case is both faster and better.";
+  figure.caption = "Error against CPU time of " + table.program.name() +
+                   ". Rings: no other case is both faster and better.";
   found.chapter.blocks.insert(found.chapter.blocks.begin(), figure);
   return found;
 }

@@ -33,8 +33,7 @@ Findings ladder(Table& table) {
                   {"curve", "model", "end", "apart from the poorest", "iterations", "unknowns",
                    "CPU s", "times", "memory, MB"},
                   {}};
-  io::Panel panel{"what a model costs", "unknowns", "CPU seconds", true, true, {},
-                  std::nullopt,         "top left"};
+  io::Panel panel{"what a model costs", "unknowns", "CPU seconds", true, true, {}};
   for (const Curve& curve : curves_of(table, {model})) {
     const Row& poorest = *curve.rows.front();
     std::vector<program::RicherModel> richer;
@@ -51,7 +50,11 @@ Findings ladder(Table& table) {
       if (row->number("unknowns") > 0 && row->number("cpu_seconds") > 0) {
         const std::string label =
             (curve.label.empty() ? "" : curve.label + ", ") + row->option(model);
-        panel.curves.push_back({label, {row->number("unknowns")}, {row->number("cpu_seconds")}});
+        panel.curves.push_back({label,
+                                {row->number("unknowns")},
+                                {row->number("cpu_seconds")},
+                                io::Style::line_points,
+                                {row->record.at("command")}});
       }
     }
     std::string sentence = curve.label.empty() ? "" : curve.label + ": ";
@@ -63,7 +66,10 @@ Findings ladder(Table& table) {
     found.chapter.text(sentence);
   }
   found.chapter.table(rungs);
-  found.chapter.figure({"ladder", "CPU time and unknowns of each model.", {panel}, 1});
+  found.chapter.figure({"ladder",
+                        "CPU time and unknowns of each model of " + table.program.name() + ".",
+                        {panel},
+                        1});
   return found;
 }
 

@@ -47,6 +47,7 @@ std::vector<std::string> files() {
   std::vector<std::string> names = {"index.html", "cases.csv", "study.json"};
   for (const char* figure : {"errors", "cost", "stability", "sweep", "ladder"})
     for (const std::string& file : io::files_of(figure)) names.push_back(file);
+  for (const std::string& asset : verification::names_of_assets()) names.push_back(asset);
   return names;
 }
 
@@ -54,15 +55,19 @@ std::string write_files(const io::ResultFolder& folder, const Kind& kind, const 
                         const Findings& findings, const std::string& command) {
   const io::Table cases = cases_table(table);
   folder.write("cases.csv", io::to_csv(cases));
-  const std::string drawn = io::draw(folder, figures_of(findings.chapter), {"svg", "png", "pdf"});
+  const std::vector<io::Figure> figures = figures_of(findings.chapter);
+  const std::string drawn = io::draw(folder, figures, {"svg", "png", "pdf"});
+  for (const io::Figure& figure : figures)
+    if (figure.panels.size() > 1) io::write_panels(folder, figure);
   verification::Chapter chapter = findings.chapter;
   chapter.name = "";
   chapter.title = kind.question;
   chapter.text(count_of_ends(all_rows(table)) + ".");
   chapter.table(cases);
+  verification::write_assets(folder);
   folder.write("index.html",
                verification::html_page(
-                   kind.name + " of " + table.program.name(), command,
+                   kind.name + " of " + table.program.name() + ": " + kind.question, command,
                    verification::html_of(verification::write_chapter(chapter, folder.path()))));
   folder.write("study.json", as_json(kind, table, findings, command).dump(1) + "\n");
   return " cases.csv study.json index.html" + drawn;

@@ -65,7 +65,8 @@ Findings stability(Table& table) {
     ends.rows.push_back({curve.label.empty() ? "all" : curve.label, count_of_ends(curve.rows)});
   }
   figure.columns = static_cast<int>(std::min<std::size_t>(figure.panels.size(), 2));
-  figure.caption = "Factorisations of the cases that arrive; grey: those that do not.";
+  figure.caption = "Factorisations of the cases that arrive";
+  figure.caption += letters.empty() ? ": all of them." : "; grey: those that do not.";
   for (const auto& [status, letter] : letters) figure.caption += " " + letter + ": " + status + ".";
   found.chapter.figure(figure);
   found.chapter.table(ends);

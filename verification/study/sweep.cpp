@@ -21,14 +21,8 @@ Findings sweep(Table& table) {
   Findings found;
   io::Figure figure{"sweep", "", {}, static_cast<int>(std::min<std::size_t>(quantities.size(), 2))};
   for (const std::string& quantity : quantities) {
-    io::Panel panel{table.title_of(quantity),
-                    along.name.substr(2),
-                    table.unit_of(quantity),
-                    false,
-                    false,
-                    {},
-                    std::nullopt,
-                    "top left"};
+    io::Panel panel{
+        table.title_of(quantity), along.name.substr(2), table.unit_of(quantity), false, false, {}};
     std::map<std::string, io::Curve> failures;
     double lowest = std::numeric_limits<double>::infinity();
     for (const Row& row : table.rows)
@@ -40,13 +34,15 @@ Findings sweep(Table& table) {
         if (row->is_success() && std::isfinite(y)) {
           drawn.x.push_back(x);
           drawn.y.push_back(y);
+          drawn.commands.push_back(row->record.at("command"));
         } else if (!row->is_success() && std::isfinite(lowest)) {
           io::Curve& mark = failures[row->status()];
           mark.label = row->status();
-          std::ranges::replace(mark.label, '_', ' ');  // gnuplot lowers what follows one
+          std::ranges::replace(mark.label, '_', ' ');
           mark.style = io::Style::rings;
           mark.x.push_back(x);
           mark.y.push_back(lowest);
+          mark.commands.push_back(row->record.at("command"));
         }
       }
       panel.curves.push_back(drawn);
