@@ -2,15 +2,9 @@
 # The heap's program from outside: sample runs, wrong input, limits of existence.
 # usage: cli_test.sh HEAP SOURCE_FOLDER
 set -u
-heap=$1 source_folder=$2
+heap=$1 source_folder=$2 scene=heap
 # shellcheck source=common/testing/cli_checks.sh
 . "$source_folder/../common/testing/cli_checks.sh"
-
-# result KEY: that of results in the last summary.
-result() {
-  sed -n '/^  "results": {/,/^  }/s/^    "'"$1"'": \([^,]*\),*$/\1/p' \
-    "$work/run/results/heap/summary.json"
-}
 
 is_below() {  # BOUND KEY...
   local bound=$1 key

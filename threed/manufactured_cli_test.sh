@@ -2,14 +2,9 @@
 # Manufactured flows from outside: sample runs, errors that fall as they should, wrong input.
 # usage: manufactured_cli_test.sh MANUFACTURED SOURCE_FOLDER
 set -u
-manufactured=$1 source_folder=$2
+manufactured=$1 source_folder=$2 scene=manufactured
 # shellcheck source=common/testing/cli_checks.sh
 . "$source_folder/../common/testing/cli_checks.sh"
-
-result() {  # KEY: of results in the last summary
-  sed -n '/^  "results": {/,/^  }/s/^    "'"$1"'": \([^,]*\),*$/\1/p' \
-    "$work/run/results/manufactured/summary.json"
-}
 
 has_order() {  # ORDER COARSE FINE: log2 of their ratio, to 0.25
   awk -v order="$1" -v a="$2" -v b="$3" \

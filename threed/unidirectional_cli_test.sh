@@ -10,12 +10,6 @@ chute=$1 bagnold=$2 source_folder=$3
 check_samples "$chute" "$source_folder/chute_main.cpp" profile
 check_samples "$bagnold" "$source_folder/bagnold_main.cpp" profile
 
-# result PROGRAM KEY: of results in its last summary.
-result() {
-  sed -n '/^  "results": {/,/^  }/s/^    "'"$2"'": \([^,]*\),*$/\1/p' \
-    "$work/run/results/$1/summary.json"
-}
-
 is_within() {  # BOUND A B: |A - B| <= BOUND |B|
   awk -v bound="$1" -v a="$2" -v b="$3" \
     'BEGIN { exit !(a != "" && b != "" && (a - b)^2 <= (bound * b)^2) }' ||
@@ -30,15 +24,15 @@ for scene in chute bagnold; do
   check expect_text run/results/$scene/summary.json '"model": "line"' '"unknowns": 17'
   check_fails expect_text run/results/$scene/summary.json cross_flow condensed_unknowns
   declare -A on_a_line=()
-  for key in $measured; do on_a_line[$key]=$(result $scene $key); done
+  for key in $measured; do on_a_line[$key]=$(result $key); done
   for model in plane space; do
     check succeeds $scene "$program" --elements 8 --lambda-r 1e-4 --model $model
     check expect_text run/results/$scene/summary.json "\"model\": \"$model\"" condensed_unknowns \
       '"penalty": "iterated"'
     check expect_text stdout "a line gives the same flow" "--model line"
-    for key in $measured; do check is_within 1e-7 "$(result $scene $key)" "${on_a_line[$key]}"; done
+    for key in $measured; do check is_within 1e-7 "$(result $key)" "${on_a_line[$key]}"; done
     for key in cross_flow dynamic_pressure change_along; do
-      check is_within 1e-9 "$(awk -v x="$(result $scene $key)" 'BEGIN { print 1 + x }')" 1
+      check is_within 1e-9 "$(awk -v x="$(result $key)" 'BEGIN { print 1 + x }')" 1
     done
     check leaves $scene summary.json profile.csv newton.csv
   done
@@ -47,7 +41,7 @@ for scene in chute bagnold; do
     --lambda-p 1e-6 --precision plain --no-continuation --max-iterations 60
   check expect_text run/results/$scene/summary.json '"penalty": "plain"' '"precision": "plain"'
 done
-check_fails is_within 1e-7 "$(result bagnold error_l2)" "${on_a_line[error_l2]}"
+check_fails is_within 1e-7 "$(scene=bagnold && result error_l2)" "${on_a_line[error_l2]}"
 
 # 3. Wrong input.
 for program in "$chute" "$bagnold"; do

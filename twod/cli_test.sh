@@ -2,19 +2,12 @@
 # The cylinder's program from outside: sample runs, wrong input, resumption.
 # usage: cli_test.sh CYLINDER SOURCE_FOLDER
 set -u
-cylinder=$1 source_folder=$2
+cylinder=$1 source_folder=$2 scene=cylinder
 # shellcheck source=common/testing/cli_checks.sh
 . "$source_folder/../common/testing/cli_checks.sh"
 
-# result KEY: that of results in the summary of the last run.
-result() {
-  sed -n '/^  "results": {/,/^  }/s/^    "'"$1"'": \([^,]*\),*$/\1/p' \
-    "$work/run/results/cylinder/summary.json"
-}
-
 has_results() {  # KEY...
-  local key
-  for key in "$@"; do
+  for key; do
     [[ "$(result "$key")" =~ ^-?[0-9] ]] || { echo "no number '$key' in results"; return 1; }
   done
 }
@@ -86,8 +79,7 @@ for file in sweep.csv sweep.pvd path.csv perimeter.csv flow_0001.vtu checkpoint.
 done
 
 # Fields are drawn whole, or what --fields and --window leave of them.
-run "$cylinder" --around 16 --loading 0.02 --lambda-r 1e-2 --plot --fields speed,regions,mesh \
-  --window=-1,-1.5,1,1
+run "$cylinder" --around 16 --loading 0.02 --lambda-r 1e-2 --plot --fields speed,regions,mesh --window=-1,-1.5,1,1
 check expect_code 0
 if command -v gnuplot >/dev/null; then
   for file in fields.dat fields.gp fields.png fields.svg; do check has_file $file; done
@@ -99,8 +91,7 @@ fi
 # 2. Wrong input.
 check refuses "--fields: not used by a run without --plot" -- "$cylinder" --fields speed
 check refuses "--fields: 'sped'" "did you mean speed?" -- "$cylinder" --plot --fields sped
-check refuses "--window: '0,0,1'" -- "$cylinder" --plot --window 0,0,1
-check refuses "--window: '1,0,0,1'" -- "$cylinder" --plot --window 1,0,0,1
+for value in 0,0,1 1,0,0,1; do check refuses "--window: '$value'" -- "$cylinder" --plot --window $value; done
 for value in 17 8 648 x ''; do
   check refuses --around "'$value'" "16 ... 640" -- "$cylinder" --around "$value"
 done

@@ -188,3 +188,8 @@ finish() {
   echo "$checks checks, $failures failed"
   [ "$failures" -eq 0 ]
 }
+
+# result KEY: that of results in the summary that the last run of $scene left.
+result() {
+  sed -n '/^  "results": {/,/^  }/s/^    "'"$1"'": \([^,]*\),*$/\1/p' "$work/run/results/$scene/summary.json"
+}
