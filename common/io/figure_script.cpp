@@ -102,7 +102,7 @@ std::string slope_label(const std::string& block_of_data, const Curve& curve) {
 
 // More points than that run into each other; all are in the data.
 std::string thinned(const Curve& curve) {
-  constexpr std::size_t most = 200;
+  constexpr std::size_t most = 100;
   if (curve.style != Style::points || curve.x.size() <= most) return " ";
   return " every " + std::to_string((curve.x.size() + most - 1) / most) + " ";
 }

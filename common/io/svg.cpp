@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "common/io/svg_geometry.hpp"
+
 namespace talus::io {
 namespace {
 
@@ -102,7 +104,7 @@ std::string without_padding(const std::string& svg, const std::string& font) {
   result = with(with(result, usual, ""), all, all + usual);
   result = with(result, R"(fill="#ffffff"/>)", R"(fill="#ffffff" stroke="none"/>)");
   result = without_unused_marks(with(with_short_colours(result), R"( class="gridline")", ""));
-  return result.insert(result.find("<svg") + 4, " " + font);
+  return with_short_geometry(result.insert(result.find("<svg") + 4, " " + font));
 }
 
 }  // namespace talus::io

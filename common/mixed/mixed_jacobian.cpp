@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <random>
 
 #include <Eigen/LU>
-#include <Eigen/SparseLU>
 
 #include "common/shear/law_check.hpp"
 #include "common/solve/extremes.hpp"
+#include "common/solve/sparse_lu.hpp"
 
 namespace talus::mixed {
 namespace {
@@ -98,10 +99,13 @@ Eigen::VectorXd solve_uncondensed(const MixedSpace<Dim>& space, Matrix matrix,
                                   const Eigen::VectorXd& b) {
   for (Eigen::Index i = 0; i < space.velocity_count(); ++i)
     if (space.is_fixed(i)) matrix.coeffRef(i, i) = 1;
-  matrix.makeCompressed();
-  const Eigen::SparseLU<Matrix> factors(matrix);
-  if (factors.info() != Eigen::Success) return {};
-  return factors.solve(b);
+  const solve::SparseLu::Matrix whole = matrix;
+  std::vector<int> each_alone(static_cast<std::size_t>(whole.rows()));
+  std::iota(each_alone.begin(), each_alone.end(), 0);
+  solve::SparseLu factors(whole, each_alone);
+  Eigen::VectorXd x;
+  if (!factors.factor(whole) || !factors.solve(b, x)) return {};
+  return x;
 }
 
 // Condensing is the same algebra for every matrix: states that show it right stand for those where
