@@ -20,7 +20,7 @@ ShearScene scene_of(const Bagnold& bagnold) {
   scene.length = H;
   scene.wall_at_start = true;
   scene.limit = limit;
-  scene.body_force = std::sin(alpha);
+  scene.body_force = [=](double) { return std::sin(alpha); };
   scene.pressure = [=](double z) { return (H - z) * std::cos(alpha); };
   scene.stress_ratio = std::tan(alpha);
   scene.limits = rest_limit(limit, "angle <= ", std::atan(law.mu_s)) +

@@ -20,7 +20,7 @@ ShearScene scene_of(const Chute& chute) {
   scene.length = half;
   scene.wall_at_start = false;
   scene.limit = limit;
-  scene.body_force = 1;
+  scene.body_force = [](double) { return 1.; };
   scene.pressure = [p](double) { return p; };
   scene.stress_ratio = half / p;
   scene.limits = rest_limit(limit, "pressure >= ", half / law.mu_s) +

@@ -51,9 +51,8 @@ struct ShearScene {
   double length = 0;
   bool wall_at_start = false;  ///< no slip at 0 (else at `length`); the other end carries no stress
   rheology::Rheology limit;    ///< the exact profiles are those of its limit λr → 0
-  double body_force = 0;
-  std::function<double(double)> pressure;
-  double stress_ratio = 0;     ///< largest shear stress over pressure
+  std::function<double(double)> pressure, body_force;  ///< in φρgd and φρg
+  double stress_ratio = 0;                             ///< largest shear stress over pressure
   std::string limits;          ///< of existence, in terms of the scene's load parameter
   std::optional<double> kink;  ///< of the shear rate: the end of a plug, or of the law's creep
   double lambda_r = 1e-6;      ///< the paper's

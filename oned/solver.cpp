@@ -12,7 +12,7 @@ shear::CrossSection<1> space_of(const ShearScene& scene, std::span<const double>
 shear::ShearLoad<1> load_of(const ShearScene& scene) {
   using Position = shear::ShearLoad<1>::Position;
   return {scene.law(), [&scene](const Position& x) { return scene.pressure(x[0]); },
-          [&scene](const Position&) { return scene.body_force; }};
+          [&scene](const Position& x) { return scene.body_force(x[0]); }};
 }
 
 Solution solve(const ShearScene& scene, std::span<const double> boundaries,

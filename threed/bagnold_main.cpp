@@ -31,6 +31,6 @@ int main(int argc, char** argv) {
     bagnold.law = friction_law(options.method);
     bagnold.regularisation = limiting_law(options.method);
     return run(line, scene_of(bagnold), options,
-               {{"angle", bagnold.angle}, {"height", bagnold.height}}, a_case);
+               {.parameters = {{"angle", bagnold.angle}, {"height", bagnold.height}}}, a_case);
   });
 }

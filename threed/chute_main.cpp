@@ -40,6 +40,6 @@ int main(int argc, char** argv) {
     chute.law = friction_law(options.method);
     chute.regularisation = limiting_law(options.method);
     return run(line, scene_of(chute), options,
-               {{"pressure", chute.pressure}, {"width", chute.width}}, a_case);
+               {.parameters = {{"pressure", chute.pressure}, {"width", chute.width}}}, a_case);
   });
 }

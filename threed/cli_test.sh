@@ -45,7 +45,7 @@ check succeeds heap "$heap" --model 3d --elements 1x2x3  # the older spelling
 check expect_text run/results/heap/summary.json '"model": "space"'
 check_fails expect_text stdout " 3d"
 run "$heap" --help
-check expect_text stdout "[section, space]"
+check expect_text stdout "[line, section, space]"
 check_fails expect_text stdout " 3d"
 
 check succeeds heap "$heap" --method newton --elements 18x16 --start nested

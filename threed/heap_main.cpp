@@ -1,7 +1,11 @@
-// Flow on a heap between rough side walls: as the smallest model that holds it, its cross-section,
-// or in three dimensions as the paper solves it.
+// Flow on a heap between rough side walls: as the smallest model that holds it, its cross-section;
+// in three dimensions as the paper solves it; or on a line, averaged over the width, which is less
+// than it needs.
 //
 // Sample runs (the test suite runs them):
+//   heap --model line --wall-friction 0.45 --plot
+//   heap --model line --elements 40 --grading-to-surface 2 --method newton --width 20
+//   heap --model line --elements 10 --check-jacobian
 //   heap --elements 18x25 --angle 0.42
 //   heap --elements 14x20 --flow-rate 39.71 --plot
 //   heap --elements 14x20 --method newton --lambda-r 1e-6 --grading-to-wall 2
@@ -23,6 +27,7 @@
 #include "common/solve/stopwatch.hpp"
 #include "threed/heap_program.hpp"
 #include "threed/heap_report.hpp"
+#include "threed/unidirectional_program.hpp"
 #include "twod/flow_rate_search.hpp"
 #include "twod/section_report.hpp"
 
@@ -103,10 +108,10 @@ void print(const Found& found, const nlohmann::json& results) {
   if (heap) std::cout << threed::comparison_lines(*heap, section ? &*section : nullptr);
 }
 
-// Whatever a run can leave, of either model.
+// Whatever a run can leave, of any model.
 std::vector<std::string> files() {
-  std::vector<std::string> names = {"summary.json", "surface.csv", "newton.csv",
-                                    "interior_point.csv"};
+  std::vector<std::string> names = threed::files_of_line();
+  names.push_back("surface.csv");
   for (const char* model : {"section", "heap"}) {
     names.push_back(std::string(model) + ".vtu");
     for (const char* figure : {"", "_fields"})
@@ -185,6 +190,7 @@ void add_size(nlohmann::json& results, const Options& options) {
 int run(const io::CommandLine& line, Options& options, scene::Case& a_case) {
   // 1. What the options mean together.
   threed::interpret(line, options);
+  if (options.is_line()) return threed::run_on_line(line, options, files(), a_case);
   threed::admit(options);
   solve::set_threads(options.threads);
   if (a_case.is_dry_run()) return 0;

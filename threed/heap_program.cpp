@@ -17,6 +17,11 @@ void refuse_values_of_the_other_model(const io::CommandLine& line, const Program
                           options.model + "; " + advice);
   };
   const program::MethodOptions& method = options.method;
+  if (options.is_line()) {
+    if (options.flow_rate > 0)
+      refuse("--flow-rate", io::rounded(options.flow_rate), "give --angle");
+    return;
+  }
   if (!options.is_space()) {
     if (options.start == "section") refuse("--start", options.start, "it takes --model space");
     return;
@@ -31,10 +36,15 @@ void refuse_values_of_the_other_model(const io::CommandLine& line, const Program
 
 // Which options a run uses.
 std::vector<io::Use> used_options(const ProgramOptions& options) {
+  const std::string model = "--model " + options.model;
   std::vector<io::Use> table = {
       {{"--outflow", "--penalty", "--lambda-p", "--threads"},
        options.is_space(),
-       "--model section; add --model space"},
+       model + "; add --model space"},
+      {{"--wall-friction"}, options.is_line(), model + "; add --model line"},
+      {{"--wall", "--start", "--grading-to-wall", "--fields", "--window"},
+       !options.is_line(),
+       model + "; add --model section or --model space"},
       {{"--start", "--flow-rate"}, !options.check_jacobian, "--check-jacobian"},
       {{"--start"},
        options.method.method == "newton",
@@ -44,12 +54,15 @@ std::vector<io::Use> used_options(const ProgramOptions& options) {
   return table;
 }
 
-// "70x100": elements across and up; in three dimensions those along the stream before them.
+// "70x100": elements across and up; in three dimensions those along the stream before them, on a
+// line only those up.
 void read_elements(const io::CommandLine& line, ProgramOptions& options) {
   constexpr long most_elements = 100000;  // of three dimensions: beyond, memory runs out
-  if (options.is_space() && !line.is_given("--elements")) options.elements = "1x70x100";
+  if (!line.is_given("--elements"))
+    options.elements = options.is_line() ? "100" : options.is_space() ? "1x70x100" : "70x100";
   auto& [along, section, length] = options.mesh;
   std::vector<int*> counts{&section.across, &section.up};
+  if (options.is_line()) counts.erase(counts.begin());
   if (options.is_space()) counts.insert(counts.begin(), &along);
   try {
     std::string rest = options.elements;
@@ -66,7 +79,8 @@ void read_elements(const io::CommandLine& line, ProgramOptions& options) {
         "--elements: '" + options.elements + "' is not " +
         (options.is_space() ? "ALONGxACROSSxUP, three whole numbers of 1 ... 2000, 100000 elements "
                               "in all, such as 1x70x100"
-                            : "ACROSSxUP, two whole numbers of 1 ... 2000 such as 70x100"));
+         : options.is_line() ? "UP, a whole number of 1 ... 2000"
+                             : "ACROSSxUP, two whole numbers of 1 ... 2000 such as 70x100"));
   }
 }
 
@@ -77,9 +91,9 @@ void add_options(io::CommandLine& line, ProgramOptions& options) {
   options.method.tangent = "primal-dual";
   options.method.lambda_r = twod::default_options().lambda_r;
   io::add_choice(line, "--model", options.model,
-                 "How much of the scene is modelled: its cross-section, or velocity and pressure "
-                 "in space (by Newton)",
-                 {"section", "space"}, {{"3d", "space"}});
+                 "How much of the scene is modelled: a line, averaged over the width; its "
+                 "cross-section; or velocity and pressure in space (by Newton)",
+                 {"line", "section", "space"}, {{"3d", "space"}});
   const io::Option angle =
       io::add_angle(line, "--angle", options.section.angle, "Inclination α", 1e-3, 1.57);
   io::add_real(line, "--flow-rate", options.flow_rate,
@@ -89,8 +103,13 @@ void add_options(io::CommandLine& line, ProgramOptions& options) {
   io::add_choice(line, "--wall", options.wall,
                  "Side wall: without slip, or with friction mu_2 p where it slips",
                  {"no-slip", "friction"});
-  io::add_text(line, "--elements", options.elements,
-               "Elements ACROSSxUP of half the section; in space ALONGxACROSSxUP, default 1x70x100")
+  io::add_real(line, "--wall-friction", options.wall_friction,
+               "Friction μw at the side walls, on a line; between μs and μ2 where they slip", 1e-3,
+               10);
+  io::add_text(
+      line, "--elements", options.elements,
+      "Elements ACROSSxUP of half the section; in space ALONGxACROSSxUP, default 1x70x100; "
+      "on a line UP, default 100")
       .of_type("MESH");
   io::add_choice(line, "--start", options.start,
                  "Where Newton starts: at rest, on ever finer meshes (default in space), or "

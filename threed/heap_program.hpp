@@ -1,4 +1,4 @@
-// The options of the program `heap`, for both models.
+// The options of the program `heap`, for all its models, and its poorest one.
 #pragma once
 
 #include <string>
@@ -9,6 +9,7 @@
 #include "common/program/flow_picture.hpp"
 #include "common/program/method_options.hpp"
 #include "common/program/penalty_options.hpp"
+#include "common/scene/case.hpp"
 #include "threed/heap_solve.hpp"
 #include "twod/section_nested.hpp"
 
@@ -22,10 +23,12 @@ struct ProgramOptions {
   program::PictureOptions picture;
   std::string model = "section", wall = "no-slip", elements = "70x100", output = "results/heap";
   std::string start = "rest", outflow = "fully-developed";
-  double flow_rate = 0;  ///< 0: the angle is given instead
+  double flow_rate = 0;        ///< 0: the angle is given instead
+  double wall_friction = 0.5;  ///< μw, on a line
   int threads = 1;
   bool plot = false, check_jacobian = false;
 
+  bool is_line() const { return model == "line"; }
   bool is_space() const { return model == "space"; }
 };
 
@@ -47,5 +50,10 @@ twod::Start section_start(const ProgramOptions& options);
 
 /// As summary.json has them.
 nlohmann::json parameters(const ProgramOptions& options);
+
+/// The run on a line, as of chute and bagnold. `other_files` are what the other models leave.
+/// Returns the exit code.
+int run_on_line(const io::CommandLine& line, const ProgramOptions& options,
+                const std::vector<std::string>& other_files, scene::Case& a_case);
 
 }  // namespace talus::threed

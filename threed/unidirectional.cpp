@@ -39,9 +39,10 @@ mixed::MixedSpace<Dim> space_of(const oned::ShearScene& scene, std::span<const d
 template <int Dim>
 mixed::MixedLoad<Dim> load_of(const oned::ShearScene& scene) {
   using fem::Point;
-  return {
-      [&scene](const Point<Dim>& x) { return scene.pressure(x[Dim - 1]); },
-      [&scene](const Point<Dim>&) -> Point<Dim> { return scene.body_force * Point<Dim>::Unit(0); }};
+  return {[&scene](const Point<Dim>& x) { return scene.pressure(x[Dim - 1]); },
+          [&scene](const Point<Dim>& x) -> Point<Dim> {
+            return scene.body_force(x[Dim - 1]) * Point<Dim>::Unit(0);
+          }};
 }
 
 template <int Dim>

@@ -104,10 +104,13 @@ std::vector<solve::NamedCheck> check_jacobian(const std::string& model, const Sh
                             : oned::check_jacobian(scene, across, options);
 }
 
-json summary(const ShearScene& scene, const oned::RunParameters& run, const Found& found) {
+json summary(const ShearScene& scene, const oned::RunParameters& run, const Found& found,
+             const OwnOfScene& own) {
   json all = oned::summary(scene, run, found.line);
   all.update(found.size);
-  if (solve::is_success(found.line.end)) all["results"].update(found.results);
+  if (!solve::is_success(found.line.end)) return all;
+  all["results"].update(found.results);
+  if (own.measures) all["results"].update(own.measures(found.line));
   return all;
 }
 
@@ -133,15 +136,6 @@ void print(const ShearScene& scene, const oned::RunParameters& run, const Found&
                                              run.model == "plane" ? "the plane" : "space", "a line",
                                              "--model line")
             << '\n';
-}
-
-// Whatever a run can leave.
-std::vector<std::string> files() {
-  std::vector<std::string> names = io::files_of("profile");
-  std::ranges::copy(io::files_of("fields"), std::back_inserter(names));
-  for (const char* name : {"summary.json", "profile.csv", "newton.csv", "interior_point.csv"})
-    names.emplace_back(name);
-  return names;
 }
 
 // The summary last: where it is, the others are. Of a failed solve it says how it went, and there
@@ -175,6 +169,14 @@ std::string advice_for(const UnidirectionalProgram& options, solve::End end) {
 
 }  // namespace
 
+std::vector<std::string> files_of_line() {
+  std::vector<std::string> names = io::files_of("profile");
+  std::ranges::copy(io::files_of("fields"), std::back_inserter(names));
+  for (const char* name : {"summary.json", "profile.csv", "newton.csv", "interior_point.csv"})
+    names.emplace_back(name);
+  return names;
+}
+
 void add_options(io::CommandLine& line, UnidirectionalProgram& options, const std::string& scene) {
   options.output = "results/" + scene;
   io::add_choice(line, "--model", options.model,
@@ -197,11 +199,11 @@ void add_options(io::CommandLine& line, UnidirectionalProgram& options, const st
 }
 
 int run(const io::CommandLine& line, const ShearScene& scene, const UnidirectionalProgram& options,
-        const json& parameters, scene::Case& a_case) {
+        const OwnOfScene& own, scene::Case& a_case) {
   refuse_unused(line, options);
 
   // 1. The mesh, and what is to be solved on it.
-  const oned::RunParameters run = run_parameters(options, parameters);
+  const oned::RunParameters run = run_parameters(options, own.parameters);
   const UnidirectionalOptions method = solve_options(options);
   const std::vector<double> across = oned::boundaries(scene, run.mesh);
   program::admit(scene.name, "--elements", [&](double share) { return task_at(options, share); });
@@ -210,7 +212,8 @@ int run(const io::CommandLine& line, const ShearScene& scene, const Unidirection
   if (options.check_jacobian)
     return program::report(scene.name, check_jacobian(options.model, scene, across, method));
   const io::ResultFolder folder = a_case.folder(options.output);
-  folder.remove_older(files());
+  folder.remove_older(files_of_line());
+  folder.remove_older(own.other_files);
 
   // 2. The limits of existence come first: past them a mesh can return a number all the same.
   if (scene.regime() == rheology::Regime::no_steady_state) {
@@ -229,9 +232,10 @@ int run(const io::CommandLine& line, const ShearScene& scene, const Unidirection
   const oned::Solution& solution = found.line;
 
   // 4. What came out, against the exact solution, and the files.
-  json results = summary(scene, run, found);
+  json results = summary(scene, run, found, own);
   a_case.complete(results);
   print(scene, run, found, results["results"]);
+  if (own.remarks && solve::is_success(solution.end)) std::cout << own.remarks(results["results"]);
   write_files(folder, scene, options, found, results);
   a_case.write(results);
 

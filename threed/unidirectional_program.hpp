@@ -2,6 +2,8 @@
 // rest, in all three models.
 #pragma once
 
+#include <functional>
+
 #include "common/io/command_line.hpp"
 #include "common/program/flow_picture.hpp"
 #include "common/program/method_options.hpp"
@@ -29,6 +31,9 @@ struct UnidirectionalProgram {
 /// Adds the shared options; set `options.method.lambda_r` to the scene's default first.
 void add_options(io::CommandLine& line, UnidirectionalProgram& options, const std::string& scene);
 
+/// What a line is measured by, errors included.
+std::vector<scene::Quantity> quantities_of_line();
+
 /// What `chute` and `bagnold` say of themselves; `problem_options` are those of the scene alone.
 scene::Description description_of(const oned::ShearScene& scene,
                                   const std::vector<std::string>& problem_options);
@@ -39,10 +44,21 @@ template <int Dim>
 io::Figure picture(const oned::ShearScene& scene, const UnidirectionalSolution<Dim>& solution,
                    const UnidirectionalOptions& options, const program::PictureOptions& picture);
 
-/// Limits, mesh, solve, measure, write. `parameters` are the scene's own, for summary.json.
-/// Returns the exit code: 0, or 1 where the solve or the Jacobian check does not succeed.
+/// What only one scene has: parameters for summary.json, more results of a line, what to say of
+/// them, and files that its other models leave.
+struct OwnOfScene {
+  nlohmann::json parameters;
+  std::function<nlohmann::json(const oned::Solution&)> measures = {};
+  std::function<std::string(const nlohmann::json& results)> remarks = {};
+  std::vector<std::string> other_files = {};
+};
+
+/// Limits, mesh, solve, measure, write. Returns the exit code: 0, or 1 where the solve or the
+/// Jacobian check does not succeed.
 int run(const io::CommandLine& line, const oned::ShearScene& scene,
-        const UnidirectionalProgram& options, const nlohmann::json& parameters,
-        scene::Case& a_case);
+        const UnidirectionalProgram& options, const OwnOfScene& own, scene::Case& a_case);
+
+/// Whatever a run can leave.
+std::vector<std::string> files_of_line();
 
 }  // namespace talus::threed

@@ -29,7 +29,7 @@ Solved solved(const oned::ShearScene& scene, const threed::Thickness& thickness,
   BOOST_TEST_REQUIRE(solve::is_success(line.end));
 
   oned::ShearScene pushed = scene;
-  pushed.body_force *= push;
+  pushed.body_force = [&](double x) { return push * scene.body_force(x); };
   const auto space = threed::space_of<Dim>(scene, across, thickness);
   mixed::MixedFlow<Dim> problem(space, {scene.law(), rheology::ChauchatMedale{}, 1e-4},
                                 threed::load_of<Dim>(pushed));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/fem/line_mesh.hpp"
+#include "oned/depth.hpp"
 
 namespace talus::twod {
 namespace {
@@ -27,26 +28,20 @@ struct YieldDepths {
     const auto per_direction =
         static_cast<std::size_t>(std::lround(std::sqrt(space.points_per_element())));
     for (std::size_t column = 0; column < elements_across * per_direction; ++column) {
-      double above = 0, excess_above = 0, found = solution.section.height;
+      std::vector<double> below{0}, excess{0};  // the surface, and the points down from it
       for (std::size_t row = elements / elements_across * per_direction; row-- > 0;) {
         const std::size_t e = row / per_direction * elements_across + column / per_direction;
         const std::size_t k = *space.points_of(e).begin() + column % per_direction +
                               row % per_direction * per_direction;
         const auto& x = space.points()[k].position;
-        const double here = solution.section.height - x[1];
-        const double excess = solution.stress[k] / (load.law.mu_s * load.pressure(x)) - 1;
-        if (excess <= 0) {
-          const double share = excess_above > 0 ? excess_above / (excess_above - excess) : 0;
-          found = above + share * (here - above);
-          break;
-        }
-        above = here;
-        excess_above = excess;
+        below.push_back(solution.section.height - x[1]);
+        excess.push_back(solution.stress[k] / (load.law.mu_s * load.pressure(x)) - 1);
       }
+      excess.front() = std::max(excess[1], 0.);  // where nothing is carried
       y.push_back(
           space.points()[*space.points_of(column / per_direction).begin() + column % per_direction]
               .position[0]);
-      depth.push_back(found);
+      depth.push_back(oned::depth_of_fall(below, excess, 0, solution.section.height));
     }
   }
 
@@ -128,22 +123,15 @@ SurfaceProfile surface_profile(const SectionSolution& solution,
   const YieldDepths yield(solution, space, (columns - 1) / 2);
   SurfaceProfile profile;
   for (std::size_t column = 0; column < columns; ++column) {
-    const auto velocity_at = [&](std::size_t row) {
-      return solution.velocity.value()[static_cast<Eigen::Index>(column + row * columns)];
-    };
-    const auto depth_at = [&](std::size_t row) {
-      return solution.section.height - nodes[column + row * columns][1];
-    };
-    const double at_surface = velocity_at(rows - 1);
+    std::vector<double> below, velocity;  // down from the surface
+    for (std::size_t row = rows; row-- > 0;) {
+      below.push_back(solution.section.height - nodes[column + row * columns][1]);
+      velocity.push_back(
+          solution.velocity.value()[static_cast<Eigen::Index>(column + row * columns)]);
+    }
+    const double at_surface = velocity.front();
     const auto depth_below = [&](double threshold) {
-      if (at_surface <= 0) return 0.0;
-      for (std::size_t row = rows - 1; row-- > 0;) {
-        const double below = velocity_at(row), above = velocity_at(row + 1);
-        if (below >= threshold) continue;
-        const double share = above > below ? (above - threshold) / (above - below) : 0;
-        return depth_at(row + 1) + share * (depth_at(row) - depth_at(row + 1));
-      }
-      return solution.section.height;
+      return oned::depth_of_fall(below, velocity, threshold, solution.section.height);
     };
     profile.y.push_back(nodes[column][0]);
     profile.velocity.push_back(at_surface);

@@ -1,5 +1,7 @@
 #include "common/shear/cross_section.hpp"
 
+#include <stdexcept>
+
 #include "common/fem/geometry.hpp"
 #include "common/fem/mesh_check.hpp"
 
@@ -7,11 +9,13 @@ namespace talus::shear {
 
 template <int Dim>
 CrossSection<Dim>::CrossSection(fem::Mesh<Dim> mesh, const std::string& friction_wall,
-                                int points_per_direction)
+                                int points_per_direction, Symmetry symmetry)
     : mesh_(fem::checked(std::move(mesh))),
       skeleton_(mesh_),
       interior_rows_(mesh_.elements.size()),
       interior_pivots_(mesh_.elements.size()) {
+  if (symmetry == Symmetry::rotation && !friction_wall.empty())
+    throw std::logic_error("CrossSection: no wall with friction around an axis");
   const auto rule = fem::gauss_rule<Dim>(points_per_direction);
   points_per_element_ = rule.size();
   std::vector<std::vector<fem::Face>> wall_sides(element_count());
@@ -24,6 +28,11 @@ CrossSection<Dim>::CrossSection(fem::Mesh<Dim> mesh, const std::string& friction
       points_.push_back({at.gradients, at.values, at.position, each.weight * at.determinant});
     }
     for (const fem::Face& side : wall_sides[e]) add_wall_points(side, points_per_direction);
+    if (symmetry == Symmetry::rotation)
+      for (std::size_t k = first_point_.back(); k < points_.size(); ++k) {
+        points_[k].gradients *= points_[k].position[0];
+        points_[k].weight *= points_[k].position[0];
+      }
     first_point_.push_back(points_.size());
   }
 }
@@ -52,7 +61,7 @@ void CrossSection<Dim>::gradients(const solve::CompensatedVector& w, std::vector
 }
 
 template <int Dim>
-Eigen::VectorXd CrossSection<Dim>::internal_force(std::span<const Vector> stress) const {
+Eigen::VectorXd CrossSection<Dim>::nodal_forces(std::span<const Vector> stress) const {
   Eigen::VectorXd force = Eigen::VectorXd::Zero(node_count());
   for (std::size_t e = 0; e < element_count(); ++e) {
     // course 7: element residual
@@ -63,8 +72,22 @@ Eigen::VectorXd CrossSection<Dim>::internal_force(std::span<const Vector> stress
       force[mesh_.elements[e][static_cast<std::size_t>(a)]] += local[a];
     // end of course 7
   }
+  return force;
+}
+
+template <int Dim>
+Eigen::VectorXd CrossSection<Dim>::internal_force(std::span<const Vector> stress) const {
+  Eigen::VectorXd force = nodal_forces(stress);
   clear_fixed(force);
   return force;
+}
+
+template <int Dim>
+Eigen::VectorXd CrossSection<Dim>::reactions(std::span<const Vector> stress) const {
+  const Eigen::VectorXd forces = nodal_forces(stress);
+  Eigen::VectorXd on_free_nodes = forces;
+  clear_fixed(on_free_nodes);
+  return forces - on_free_nodes;
 }
 
 template <int Dim>
@@ -161,6 +184,13 @@ template <int Dim>
 void CrossSection<Dim>::clear_fixed(Eigen::VectorXd& values) const {
   for (Eigen::Index i = 0; i < values.size(); ++i)
     if (mesh_.fixed[static_cast<std::size_t>(i)]) values[i] = 0;
+}
+
+template <int Dim>
+bool CrossSection<Dim>::has_moving_walls(const solve::CompensatedVector& w) const {
+  for (Eigen::Index i = 0; i < w.size(); ++i)
+    if (mesh_.fixed[static_cast<std::size_t>(i)] && w.value()[i] != 0) return true;
+  return false;
 }
 
 template class CrossSection<1>;

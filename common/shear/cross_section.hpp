@@ -23,6 +23,11 @@
 
 namespace talus::shear {
 
+/// Of the flow: nothing changes along a straight stream, or around an axis, which is the line where
+/// the first coordinate r vanishes. There the velocity stands for an angular one ω: the stream is r
+/// ω, its shear rate r|grad ω|, and areas count r times. Torques stand for forces.
+enum class Symmetry { translation, rotation };
+
 template <int Dim>
 class CrossSection {
  public:
@@ -42,11 +47,13 @@ class CrossSection {
 
   /// One quadrature point of one element.
   struct Point {
-    Eigen::Matrix<double, Dim, nodes_per_element>
-        gradients;  ///< of the basis; on a wall its values
+    /// Of the basis, on a wall its values; with rotation times r.
+    Eigen::Matrix<double, Dim, nodes_per_element> gradients;
     NodalValues values;
     Vector position;
-    double weight = 0;  ///< quadrature weight times the area of the element, or of its face, there
+    /// Quadrature weight times the area of the element, or of its face, there; with rotation times
+    /// r.
+    double weight = 0;
     bool on_wall = false;
 
     /// grad w from local velocities, or the slip. Where a stiff point shares its element with soft
@@ -59,9 +66,10 @@ class CrossSection {
   };
 
   /// `friction_wall` names the boundary that slips with friction, if there is one (Dim > 1). Its
-  /// nodes must not be fixed. Throws what checked() throws of a mesh.
+  /// nodes must not be fixed. Throws what checked() throws of a mesh, and std::logic_error for such
+  /// a wall around an axis.
   explicit CrossSection(fem::Mesh<Dim> mesh, const std::string& friction_wall = {},
-                        int points_per_direction = 3);
+                        int points_per_direction = 3, Symmetry symmetry = Symmetry::translation);
 
   const fem::Mesh<Dim>& mesh() const { return mesh_; }
   Eigen::Index node_count() const { return static_cast<Eigen::Index>(mesh_.nodes.size()); }
@@ -86,6 +94,8 @@ class CrossSection {
   void gradients(const solve::CompensatedVector& w, std::vector<Vector>& g) const;
   /// Σ weight Gᵀτ at every node; zero at fixed nodes.
   Eigen::VectorXd internal_force(std::span<const Vector> stress) const;
+  /// The same at fixed nodes only: what holds or drives them.
+  Eigen::VectorXd reactions(std::span<const Vector> stress) const;
   /// ∫ f N at every node; zero at fixed nodes.
   Eigen::VectorXd load(const std::function<double(const Vector&)>& f) const;
 
@@ -101,10 +111,13 @@ class CrossSection {
   Eigen::VectorXd product(std::span<const Tangent> tangents,
                           const solve::CompensatedVector& x) const;
   void clear_fixed(Eigen::VectorXd& values) const;
+  /// Whether a fixed node has a velocity.
+  bool has_moving_walls(const solve::CompensatedVector& w) const;
   double factor_entries() const { return skeleton_.factor_entries(); }
 
  private:
   void add_wall_points(const fem::Face& side, int points_per_direction);
+  Eigen::VectorXd nodal_forces(std::span<const Vector> stress) const;
 
   fem::Mesh<Dim> mesh_;
   std::vector<Point> points_;

@@ -66,7 +66,10 @@ template <int Dim>
 InteriorPointIteration InteriorPoint<Dim>::measure(const ConeState<Dim>& state,
                                                    const ConeResidual<Dim>& r) const {
   InteriorPointIteration record;
-  const double power = std::max(load_.dot(state.velocity.value()), smallest_power * natural_power_);
+  // Of the load and of walls that move; at nodes that rest, reactions do no work.
+  const Eigen::VectorXd reactions = space_.reactions(state.stress);
+  const double power =
+      std::max((load_ + reactions).dot(state.velocity.value()), smallest_power * natural_power_);
   double contributions = 0;
   for (std::size_t k = 0; k < r.product.size(); ++k) {
     const double bounds = state.bound[k] * state.dual_bound[k];
@@ -74,8 +77,9 @@ InteriorPointIteration InteriorPoint<Dim>::measure(const ConeState<Dim>& state,
   }
   record.relative_gap = integral(r.product) / power;
   record.round_off = std::numeric_limits<double>::epsilon() * contributions / power;
-  record.equilibrium =
-      r.equilibrium.template lpNorm<Eigen::Infinity>() / load_.template lpNorm<Eigen::Infinity>();
+  const bool is_loaded = load_.template lpNorm<Eigen::Infinity>() > 0;
+  record.equilibrium = r.equilibrium.template lpNorm<Eigen::Infinity>() /
+                       (is_loaded ? load_ : reactions).template lpNorm<Eigen::Infinity>();
   return record;
 }
 
@@ -128,6 +132,7 @@ InteriorPointSummary InteriorPoint<Dim>::solve(ConeState<Dim>& state,
   int since_good = 0;
   solve::RemainingDistance remaining;
   bool was_in_equilibrium = false;
+  const bool is_driven = space_.has_moving_walls(state.velocity);
   const auto ended = [&](solve::End end) {
     summary.end = end;
     return summary;
@@ -149,7 +154,8 @@ InteriorPointSummary InteriorPoint<Dim>::solve(ConeState<Dim>& state,
     const bool is_better = is_finite && now.relative_gap > 0 &&
                            (!was_in_equilibrium ||
                             (in_equilibrium && now.relative_gap < summary.last_good.relative_gap));
-    if (in_equilibrium && is_within_yield<Dim>(space_, law_, pressure_, state.stress)) {
+    if (in_equilibrium && !is_driven &&
+        is_within_yield<Dim>(space_, law_, pressure_, state.stress)) {
       // Rest is then the exact minimum of the discrete energy.
       state.velocity.set_zero();
       state.gradient.assign(state.gradient.size(), Vector::Zero());

@@ -28,6 +28,29 @@ ConeState<Dim> InteriorPointSystem<Dim>::start() const {
 }
 
 template <int Dim>
+ConeState<Dim> InteriorPointSystem<Dim>::start(const solve::CompensatedVector& velocity) const {
+  ConeState<Dim> state = start();
+  state.velocity = velocity;
+  space_.gradients(velocity, state.gradient);
+  double power = 0, area = 0;  // of yielding at that rate
+  for (std::size_t k = 0; k < pressure_.size(); ++k) {
+    const double weight = space_.points()[k].weight;
+    power += weight * law_at(k).mu_s * pressure_[k] * state.gradient[k].norm();
+    area += weight;
+  }
+  for (std::size_t k = 0; k < pressure_.size(); ++k) {
+    // The larger root of z (t² - |g|²)/t = mean power, with the z of yield.
+    const double rate = state.gradient[k].norm();
+    const double width = 0.5 * power / area / (law_at(k).mu_s * pressure_[k]);
+    const double t = width + std::hypot(width, rate);
+    state.bound[k] = t;
+    state.dual_bound[k] = law_at(k).stress(t, pressure_[k]);
+    state.stress[k] = state.dual_bound[k] / t * state.gradient[k];
+  }
+  return state;
+}
+
+template <int Dim>
 ConeResidual<Dim> InteriorPointSystem<Dim>::residual(const ConeState<Dim>& state) const {
   ConeResidual<Dim> r{load_ - space_.internal_force(state.stress), {}, {}, {}};
   const std::size_t n = pressure_.size();

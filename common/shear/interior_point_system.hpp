@@ -56,6 +56,9 @@ class InteriorPointSystem {
 
   /// Strictly inside both cones: no motion, no stress, t the natural shear rate.
   ConeState<Dim> start() const;
+  /// About a velocity whose fixed values drive the flow: τ along its gradient, equally central at
+  /// every point.
+  ConeState<Dim> start(const solve::CompensatedVector& velocity) const;
   ConeResidual<Dim> residual(const ConeState<Dim>& state) const;
   /// Change of the residual to first order in `step`.
   ConeResidual<Dim> linearised(const ConeState<Dim>& state, const ConeStep<Dim>& step) const;

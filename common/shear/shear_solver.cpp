@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "common/shear/law_check.hpp"
 #include "common/shear/shear_jacobian.hpp"
@@ -16,7 +17,9 @@ void solve_by_newton(CrossSection<Dim>& space, const ShearLoad<Dim>& load,
                      ShearSolution& solution) {
   ShearFlow<Dim> problem = regularised_problem(space, load, options);
   typename ShearFlow<Dim>::State state(
-      start ? start->velocity : solve::CompensatedVector(space.node_count(), options.precision));
+      start                ? start->velocity
+      : load.wall_velocity ? driven_start(space, load)
+                           : solve::CompensatedVector(space.node_count(), options.precision));
   if (start) state.stress = problem.stress_of(start->gradients);
   if (options.continuation == Continuation::always && !start)
     solution.newton = solve::newton_along_path(problem, state, options.newton, options.path);
@@ -40,7 +43,8 @@ template <int Dim>
 void solve_by_interior_point(CrossSection<Dim>& space, const ShearLoad<Dim>& load,
                              const ShearOptions& options, ShearSolution& solution) {
   InteriorPoint<Dim> problem(space, load.law, load.pressure, load.body_force);
-  ConeState<Dim> state = problem.start();
+  ConeState<Dim> state =
+      load.wall_velocity ? problem.start(driven_start(space, load)) : problem.start();
   solution.interior_point = problem.solve(state, options.interior_point);
   solution.end = solution.interior_point.end;
   solution.velocity = state.velocity;
@@ -145,6 +149,22 @@ ShearFlow<Dim> regularised_problem(CrossSection<Dim>& space, const ShearLoad<Dim
 }
 
 template <int Dim>
+solve::CompensatedVector driven_start(CrossSection<Dim>& space, const ShearLoad<Dim>& load) {
+  solve::CompensatedVector walls(space.node_count()), inside;
+  for (Eigen::Index i = 0; i < walls.size(); ++i) {
+    const auto node = static_cast<std::size_t>(i);
+    if (space.mesh().fixed[node]) walls.set(i, load.wall_velocity(space.mesh().nodes[node]));
+  }
+  std::vector<typename CrossSection<Dim>::Tangent> viscosity;
+  for (const auto& point : space.points())
+    viscosity.push_back(load.pressure(point.position) * CrossSection<Dim>::Tangent::Identity());
+  space.assemble(viscosity);
+  if (!space.solve(-space.product(viscosity, walls), inside))
+    throw std::runtime_error("driven_start: singular");
+  return walls.moved(1, inside);
+}
+
+template <int Dim>
 ShearSolution solve_shear(CrossSection<Dim>& space, const ShearLoad<Dim>& load,
                           const ShearOptions& options, const ShearStart<Dim>* start) {
   const solve::Stopwatch watch;
@@ -166,6 +186,8 @@ std::vector<solve::NamedCheck> check_jacobian(CrossSection<Dim>& space, const Sh
                                           : check_interior_point(space, unloaded);
 }
 
+template solve::CompensatedVector driven_start(CrossSection<1>&, const ShearLoad<1>&);
+template solve::CompensatedVector driven_start(CrossSection<2>&, const ShearLoad<2>&);
 template ShearFlow<1> regularised_problem(CrossSection<1>&, const ShearLoad<1>&,
                                           const ShearOptions&);
 template ShearSolution solve_shear(CrossSection<1>&, const ShearLoad<1>&, const ShearOptions&,

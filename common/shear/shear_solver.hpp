@@ -33,13 +33,15 @@ struct ShearOptions {
   std::function<void(const solve::CompensatedVector&)> observe = {};  ///< Newton's iterates
 };
 
-/// What drives the flow; pressure and body force by position.
+/// What drives the flow: pressure, body force and, where fixed nodes move, their velocity, by
+/// position.
 template <int Dim>
 struct ShearLoad {
   using Position = Eigen::Matrix<double, Dim, 1>;
   rheology::FrictionLaw law;
   std::function<double(const Position&)> pressure;
   std::function<double(const Position&)> body_force;
+  std::function<double(const Position&)> wall_velocity = {};
 };
 
 struct ShearSolution {
@@ -71,8 +73,13 @@ template <int Dim>
 ShearFlow<Dim> regularised_problem(CrossSection<Dim>& space, const ShearLoad<Dim>& load,
                                    const ShearOptions& options);
 
-/// Solves from rest; Newton from `start` if it is given. The load limits are the caller's business:
-/// a mesh may return numbers for a flow that does not exist.
+/// The velocity of a fluid whose viscosity is the pressure, between walls that move: where both
+/// methods start then. One factorisation. Throws std::runtime_error if that is singular.
+template <int Dim>
+solve::CompensatedVector driven_start(CrossSection<Dim>& space, const ShearLoad<Dim>& load);
+
+/// Solves from rest, or from driven_start; Newton from `start` if it is given. The load limits are
+/// the caller's business: a mesh may return numbers for a flow that does not exist.
 template <int Dim>
 ShearSolution solve_shear(CrossSection<Dim>& space, const ShearLoad<Dim>& load,
                           const ShearOptions& options, const ShearStart<Dim>* start = nullptr);

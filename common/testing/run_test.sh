@@ -11,7 +11,7 @@ project=$1
 tree="$work/a tree"
 mkdir -p "$tree/build/release/bin" "$tree/build/release/CMakeFiles" "$tree/build/asan" "$work/tools"
 cp "$project/run" "$tree"
-for program in chute bagnold heap cylinder manufactured study verify fuzz mutants; do
+for program in chute bagnold heap cylinder split-bottom manufactured study verify fuzz mutants; do
   printf '#!/bin/sh\necho %s "$@"\nexit 7\n' $program >"$tree/build/release/bin/$program"
 done
 printf '#!/bin/sh\n[ -e build/release/CMakeCache.txt ] && echo with cache >>%q || echo without >>%q
@@ -33,7 +33,7 @@ is_configured() {  # with cache|without, by the first call of CMake
 
 # 1. A program's words and its exit code go through.
 configured_in "$tree"
-for program in chute bagnold heap cylinder manufactured study verify fuzz mutants; do
+for program in chute bagnold heap cylinder split-bottom manufactured study verify fuzz mutants; do
   run "$tree/run" $program --elements '1 2' ''
   check expect_code 7
   check expect_text stdout "$program --elements 1 2"
@@ -75,12 +75,12 @@ check expect_empty stdout
 # 4. Wrong words.
 check refuses "'chtue'" "did you mean chute?" "(see ./run --help)" -- "$tree/run" chtue
 check refuses "'verfiy'" "did you mean verify?" -- "$tree/run" verfiy --full
-check refuses "'plot'" "chute bagnold heap cylinder manufactured study verify fuzz mutants docs pages build" -- "$tree/run" plot
+check refuses "'plot'" "chute bagnold heap cylinder split-bottom manufactured study verify fuzz mutants docs pages build" -- "$tree/run" plot
 check_fails refuses "did you mean" -- "$tree/run" plot
 check refuses "''" -- "$tree/run" ''
 check refuses "'--fast'" -- "$tree/run" build --fast
 run "$tree/run" --help
 check expect_code 0
-check expect_text stdout chute bagnold heap cylinder manufactured study verify fuzz mutants "./run build"
+check expect_text stdout chute bagnold heap cylinder split-bottom manufactured study verify fuzz mutants "./run build"
 
 finish

@@ -77,7 +77,7 @@ std::vector<Rung> line_rungs(const Context& context) {
 double lines_apart_with_force_times(double factor) {
   const auto scene = scene_of(oned::Chute{});
   oned::ShearScene pushed = scene;
-  pushed.body_force *= factor;
+  pushed.body_force = [&](double x) { return factor * scene.body_force(x); };
   const rheology::Rheology rheology{scene.law(), rheology::ChauchatMedale{}, scene.lambda_r};
   return climb<3>(scene, pushed, {}, rheology).apart.velocity;
 }

@@ -165,7 +165,7 @@ std::vector<std::pair<NamedMethod, bool>> map_variants(const oned::ShearScene& s
   without("full steps, no line search",
           [](oned::SolveOptions& o) { o.newton.line_search = solve::LineSearch::none; });
   // The profile of a fluid of viscosity 1: sheared everywhere, stopped by no plug.
-  const auto newtonian = [length = scene.length, f = scene.body_force,
+  const auto newtonian = [length = scene.length, f = scene.body_force(0),
                           wall_at_start = scene.wall_at_start](double x) {
     const double from_free_end = wall_at_start ? length - x : x;
     return 0.5 * f * (length * length - from_free_end * from_free_end);

@@ -18,7 +18,7 @@ std::filesystem::path folder_of_programs() {
 }
 
 // Programs that are no scene's.
-const std::set<std::string> tools = {"verify", "fuzz", "study"};
+const std::set<std::string> tools = {"verify", "fuzz", "mutants", "study"};
 
 std::vector<std::string> scenes() {
   std::vector<std::string> names;
