@@ -16,7 +16,8 @@ namespace {
 double integral(const std::function<double(double)>& f, double from, double to) {
   constexpr unsigned halvings = 12;
   if (!(from < to)) return 0;
-  return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(f, from, to, halvings, 1e-12);
+  return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(f, from, to, halvings,
+                                                                       1e-12);
 }
 
 // What follows from the balance of forces alone, by depth h = H - z.

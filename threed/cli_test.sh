@@ -23,8 +23,10 @@ is_close() {  # KEY VALUE: that of results in the last summary is near it, relat
 has_file() { [ -s "$work/run/results/heap/$1" ] || { echo "no $1"; return 1; }; }
 
 # 1. The sample runs of the program's header; --plot draws the section's figure or the heap's.
-sed '/--model space/d' "$source_folder/heap_main.cpp" >"$work/section_samples.cpp"
-sed '/^\/\/   heap --elements/d' "$source_folder/heap_main.cpp" >"$work/heap_samples.cpp"
+sed '/--model/d' "$source_folder/heap_main.cpp" >"$work/section_samples.cpp"
+sed '/^\/\/   heap/{/--model line/!d}' "$source_folder/heap_main.cpp" >"$work/line_samples.cpp"
+sed '/^\/\/   heap/{/--model space/!d}' "$source_folder/heap_main.cpp" >"$work/heap_samples.cpp"
+check_samples "$heap" "$work/line_samples.cpp" profile
 check_samples "$heap" "$work/section_samples.cpp" section
 check_samples "$heap" "$work/heap_samples.cpp" heap
 
@@ -47,6 +49,29 @@ check_fails expect_text stdout " 3d"
 run "$heap" --help
 check expect_text stdout "[line, section, space]"
 check_fails expect_text stdout " 3d"
+
+# On a line it says what the walls are worth.
+run "$heap" --model line --elements 200 --wall-friction 0.383
+check expect_code 0
+check expect_text stdout "The cross-section, on 18x25 elements" "off by 84%" "--model section"
+check is_close exact_flow_rate 7.988980  # by the midpoint rule in √h
+check test -s "$work/run/results/heap/profile.csv"
+run_again "$heap" --elements 4x5
+check leaves heap summary.json interior_point.csv surface.csv section.vtu
+run_again "$heap" --model line --elements 10 --angle 0.36
+check expect_code 0
+check leaves heap summary.json interior_point.csv profile.csv
+run_again "$heap" --model line --angle 0.58
+check expect_code 1
+check expect_text stderr no_steady_state
+check leaves heap summary.json
+for option in "--wall friction" "--start rest" "--grading-to-wall 2" "--outflow open" "--lambda-p 1e-4"; do
+  # shellcheck disable=SC2086  # words
+  check refuses "${option%% *}: not used by --model line" -- "$heap" --model line $option
+done
+check refuses "--flow-rate: '3'" --angle -- "$heap" --model line --flow-rate 3
+check refuses "--wall-friction: not used by --model section" -- "$heap" --wall-friction 0.5
+for value in 3x4 0 x; do check refuses --elements "'$value'" UP -- "$heap" --model line --elements $value; done
 
 check succeeds heap "$heap" --method newton --elements 18x16 --start nested
 check expect_text stdout "9x8 elements" "18x16 elements"

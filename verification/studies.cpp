@@ -3,10 +3,12 @@
 #include "verification/heap/heap_study.hpp"
 #include "verification/jacobian/jacobian_parts.hpp"
 #include "verification/ladder/ladder.hpp"
+#include "verification/models/model_error.hpp"
 #include "verification/orders/orders_parts.hpp"
 #include "verification/paper/paper_parts.hpp"
 #include "verification/references/references_study.hpp"
 #include "verification/stability/stability_parts.hpp"
+#include "verification/zone/zone_study.hpp"
 
 namespace talus::verification {
 
@@ -56,6 +58,10 @@ const std::vector<Study>& studies() {
       {"ladder",
        "Which model does a scene need, and what do richer ones cost?",
        {{"", ladder_study, {0.2, 4}, true}}},
+      {"models",
+       "Where is a poorer model wrong, and by how much?",
+       {{"", heap_on_a_line, {0.05, 0.5}, true}}},
+      {"zone", "Where does slow flow over a split bottom shear?", {{"", zone_study, {0.3, 3}}}},
       {"cylinder",
        "How does the flow around a cylinder set in, and what folds its path?",
        {{"meshes", cylinder_meshes, {0.01, 0.5}},

@@ -56,12 +56,14 @@ run chute chute --elements 10
 run plane bagnold --model plane --elements 4
 run section heap --elements 4x5
 run newton heap --elements 4x5 --method newton
+run line heap --model line --elements 10
+run cell split-bottom --elements 4
 run space heap --model space --elements 1x4x5
 run cylinder cylinder --around 16 --loading 0.02
 run manufactured manufactured --elements 4
 
 # Each result stands with its unit and its meaning.
-for scene in chute bagnold heap cylinder manufactured; do
+for scene in chute bagnold heap cylinder split-bottom manufactured; do
   missing=$("$programs/$scene" --describe | awk '
     /"description":|"meaning":/ { meaning = value($0) }
     /"name":/ { name = value($0) }

@@ -6,6 +6,7 @@
 #include "common/shear/shear_solver.hpp"
 #include "common/solve/extremes.hpp"
 #include "twod/section.hpp"
+#include "twod/split_bottom.hpp"
 #include "verification/harness/chapter.hpp"
 #include "verification/harness/fit.hpp"
 #include "verification/harness/methods.hpp"
@@ -99,6 +100,11 @@ std::vector<CheckedScene> checked_scenes() {
                      auto space = twod::space_of(section, {2, 2});
                      return shear::check_jacobian(space, twod::load_of(section), options);
                    }});
+  all.push_back({"split-bottom cell", {1e-3}, [](const oned::SolveOptions& options) {
+                   const twod::SplitBottom cell;
+                   auto space = twod::space_of(cell, {2});
+                   return shear::check_jacobian(space, twod::load_of(cell), options);
+                 }});
   return all;
 }
 

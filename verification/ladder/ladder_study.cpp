@@ -125,7 +125,7 @@ io::Figure costs(const std::vector<Rung>& rungs) {
 }
 
 // How far richer models lie from the poorest of their scene, against what they cost.
-void add_headline(Chapter& chapter, const std::vector<Rung>& rungs) {
+void answer(Chapter& chapter, const std::vector<Rung>& rungs) {
   constexpr double needed = 1e-9;  // as program::recommendation asks for
   io::Panel panel{
       "", "CPU time, times that of the poorer model", "distance of flows, relative", true, true,
@@ -149,15 +149,15 @@ void add_headline(Chapter& chapter, const std::vector<Rung>& rungs) {
                          " times the CPU time";
   sentence += enough == rungs.size() ? ": no scene here needs more than its poorest model."
                                      : ": the others are needed.";
-  chapter.headline(Question::which_model,
-                   {"models",
-                    "Largest distance (velocity, cross-flow, pressure) of a richer model's flow "
-                    "from that of the poorer one on the same elements, over all laws, λr and "
-                    "meshes of the tables below, against what the richer one takes. Below the "
-                    "line the poorer model will do.",
-                    {panel},
-                    1},
-                   sentence);
+  chapter.answer(sentence);
+  chapter.figure(
+      {"models",
+       "Largest distance (velocity, cross-flow, pressure) of a richer model's flow from that of "
+       "the "
+       "poorer one on the same elements, over all laws, λr and meshes of the tables below, against "
+       "what the richer one takes. Below the line the poorer model will do.",
+       {panel},
+       1});
 }
 
 void check(Chapter& chapter, const Rung& rung) {
@@ -190,7 +190,7 @@ void ladder_study(Chapter& chapter, const Context& context) {
                 "negative control: cylinder with one loading larger by 1e-7, velocities apart",
                 cylinder_apart_with_force_times(1 + 10 * force), 20 * target, 1e-5);
 
-  add_headline(chapter, rungs);
+  answer(chapter, rungs);
   recommend(chapter, rungs);
   chapter.table(overview(rungs));
   chapter.figure(costs(rungs));
