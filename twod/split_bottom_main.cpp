@@ -149,7 +149,10 @@ int run(const io::CommandLine& line, Options& options, scene::Case& a_case) {
   a_case.write(results);
   if (solve::is_success(solution.end)) return 0;
   std::cerr << "split-bottom: " << solve::name_of(solution.end) << ": "
-            << solve::advice_for(solution.end) << '\n';
+            << (options.mesh.grading > 1  ? "try a smaller --grading"
+                : solution.is_of_newton() ? solve::advice_for(solution.end)
+                                          : "try --method newton, or more --max-iterations")
+            << '\n';
   return 1;
 }
 

@@ -126,6 +126,7 @@ InteriorPointSummary InteriorPoint<Dim>::solve(ConeState<Dim>& state,
                                                const InteriorPointOptions& options) {
   constexpr double equilibrium_tolerance = 1e-9;
   constexpr double near_round_off = 100;  // gap over its round-off at which no progress is expected
+  constexpr double no_step = 1e-9;        // nothing moves: the next step would be the same
   constexpr int patience = 3;             // iterations without a smaller gap, once in equilibrium
   InteriorPointSummary summary;
   ConeState<Dim> good = state;
@@ -187,6 +188,7 @@ InteriorPointSummary InteriorPoint<Dim>::solve(ConeState<Dim>& state,
     const Eigen::VectorXd before = state.velocity.value();
     if (!advance(state, r, summary.history.back(), options))
       return gave_up(solve::End::linear_solver_failed);
+    if (summary.history.back().step < no_step) return gave_up(solve::End::stagnated);
     remaining.stepped((state.velocity.value() - before).template lpNorm<Eigen::Infinity>(), 1);
   }
 }
