@@ -16,7 +16,7 @@ namespace talus::twod {
 struct SplitBottom {
   double height = 0.5;        ///< H
   double outer_radius = 1.3;  ///< Ro
-  double rate = 1e-6;         ///< d* Ω
+  double rate = 1e-8;         ///< d* Ω
   rheology::FrictionLaw law = {};
 };
 
