@@ -61,7 +61,7 @@ const std::vector<Study>& studies() {
       {"models",
        "Where is a poorer model wrong, and by how much?",
        {{"", heap_on_a_line, {0.05, 0.5}, true}}},
-      {"zone", "Where does slow flow over a split bottom shear?", {{"", zone_study, {0.3, 3}}}},
+      {"zone", "Where does slow flow over a split bottom shear?", {{"", zone_study, {0.3, 2}}}},
       {"cylinder",
        "How does the flow around a cylinder set in, and what folds its path?",
        {{"meshes", cylinder_meshes, {0.01, 0.5}},
